@@ -3,7 +3,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <new>
+#include <system_error>
 
 #include <sys/uio.h>
 #include <unistd.h>
@@ -19,11 +21,13 @@ struct Ending {
 };
 Ending ending;
 
-void say_and_end() noexcept {
-  constexpr const char* kSaid = ": there is no memory left\n";
-  const iovec line[] = {{const_cast<char*>(ending.program), std::strlen(ending.program)},
-                        {const_cast<char*>(kSaid), std::strlen(kSaid)}};
-  static_cast<void>(!::writev(STDERR_FILENO, line, 2));
+iovec part(const char* text) noexcept {
+  return {const_cast<char*>(text), std::strlen(text)};
+}
+
+void say_and_end(const char* why) noexcept {
+  const iovec line[] = {part(ending.program), part(": "), part(why), part("\n")};
+  static_cast<void>(!::writev(STDERR_FILENO, line, std::size(line)));
   ::_exit(ending.status);
 }
 
@@ -31,7 +35,9 @@ void say_and_end() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    say_and_end();
+    say_and_end("there is no memory left");
+  } catch (const std::system_error& refused) {
+    say_and_end(refused.what());
   } catch (...) {  // it is said below
   }
   ending.before();

@@ -9,9 +9,8 @@
 namespace nats {
 
 std::string new_inbox() {
-  keep_openssl();
   natsInbox* made = nullptr;
-  if (natsInbox_Create(&made) != NATS_OK) throw std::bad_alloc{};
+  if (!open_openssl() || natsInbox_Create(&made) != NATS_OK) throw std::bad_alloc{};
   const std::unique_ptr<natsInbox, Destroyer<natsInbox_Destroy>> inbox{made};
   return inbox.get();
 }

@@ -91,7 +91,7 @@ std::string text_of(natsStatus status) {
 
 tl::expected<Options, std::string> options_for(const Server& server, const std::string& client,
                                                std::chrono::milliseconds patience) {
-  keep_openssl();
+  if (!open_openssl()) return tl::unexpected{std::string{"there is no memory left"}};
   natsOptions* made = nullptr;
   natsStatus status = natsOptions_Create(&made);
   Options options{made};

@@ -57,11 +57,12 @@ std::string Contact::why_closed() const {
   return text.empty() ? "the server has closed the connection" : text;
 }
 
-nats::Subscription Contact::subscribe(std::uint64_t id, const std::string& subject) {
+tl::expected<nats::Subscription, std::string> Contact::subscribe(std::uint64_t id, const std::string& subject) {
   auto channel = std::make_unique<Channel>(Channel{arrivals_, id});
   natsSubscription* made = nullptr;
-  if (natsConnection_Subscribe(&made, connection(), subject.c_str(), on_message, channel.get()) != NATS_OK)
-    return nullptr;
+  const natsStatus status =
+      natsConnection_Subscribe(&made, connection(), subject.c_str(), on_message, channel.get());
+  if (status != NATS_OK) return tl::unexpected{nats::text_of(status)};
   natsSubscription_SetOnCompleteCB(made, on_complete, channel.release());
   natsSubscription_SetPendingLimits(made, kNoLimit, kNoLimit);
   return nats::Subscription{made};

@@ -36,9 +36,10 @@ class Contact {
   /// What has been read.
   [[nodiscard]] Arrivals& arrivals() const noexcept { return *arrivals_; }
 
-  /// Messages of @p subject arrive as those of subscription @p id until what it gives is destroyed; nullptr: the
-  /// server does not have it.
-  [[nodiscard]] nats::Subscription subscribe(std::uint64_t id, const std::string& subject);
+  /// Messages of @p subject arrive as those of subscription @p id until what it gives is destroyed. The error is
+  /// one line: the server does not have it.
+  [[nodiscard]] tl::expected<nats::Subscription, std::string> subscribe(std::uint64_t id,
+                                                                        const std::string& subject);
   /// Ends @p subscription: what is on its way to it still arrives, and after that nothing once (a null message).
   /// False if that cannot be waited for.
   [[nodiscard]] static bool drain(const nats::Subscription& subscription) noexcept {

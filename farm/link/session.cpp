@@ -47,17 +47,19 @@ void Session::accept(std::uint32_t) {
   if (!made) return;
   contact_ = std::move(made);
   is_watched_for_room_ = false;
+  defect_.clear();
   beats_ = 0;
   on_socket_ = watch<&Session::serve_socket>(contact_->socket());
   on_arrival_ = watch<&Session::serve_arrivals>(contact_->arrivals().descriptor());
   listener_.on_contact();
-  beat_ = contact_->subscribe(kBeatSubscription, beat_subject_);
+  beat_ = subscribe(kBeatSubscription, beat_subject_);
   look_after();
 }
 
 /// By beats, not by a clock: a program that was stopped itself has not asked for a sign.
 void Session::look_after() {
   if (!contact_) return;
+  if (!defect_.empty()) return lose(defect_);
   if (beats_ == kMostBeats) {
     const std::string complaint = contact_->complaint();
     return lose(complaint.empty() ? "no sign of the server within 1 s" : complaint);
@@ -108,11 +110,16 @@ bool Session::publish(const std::string& subject, const std::string& reply, std:
   return true;
 }
 
+/// Without one of its subscriptions a connection would never tell what comes for that: it is given up, not at
+/// once, for whoever subscribes is in the middle of something.
 nats::Subscription Session::subscribe(std::uint64_t id, const std::string& subject) {
   if (!contact_) return nullptr;
-  nats::Subscription made = contact_->subscribe(id, subject);
+  auto made = contact_->subscribe(id, subject);
   if (!is_taking_) write();
-  return made;
+  if (made) return *std::move(made);
+  defect_ = fmt::format("cannot subscribe to {}: {}", subject, made.error());
+  axisd::ServiceEvents::start(timer_, std::chrono::microseconds{0});
+  return nullptr;
 }
 
 bool Session::drain(const nats::Subscription& subscription) {

@@ -51,7 +51,7 @@ class Session {
   [[nodiscard]] bool is_up() const noexcept { return is_up_; }
   /// False if it is not sent: there is no connection, or too much waits.
   bool publish(const std::string& subject, const std::string& reply, std::string_view data);
-  /// Of the present connection; nullptr: there is none. @p id is above 0.
+  /// Of the present connection; nullptr: there is none, or it is given up for want of this one. @p id is above 0.
   [[nodiscard]] nats::Subscription subscribe(std::uint64_t id, const std::string& subject);
   /// Ends @p subscription when all has come that is on its way; false if it may end at once.
   [[nodiscard]] bool drain(const nats::Subscription& subscription);
@@ -81,6 +81,7 @@ class Session {
   bool is_told_down_ = false;
   bool is_watched_for_room_ = false;
   bool is_taking_ = false;  ///< what is published is written when all that came was taken
+  std::string defect_;      ///< why the present connection is to be given up
   int beats_ = 0;           ///< that were sent since the server has given a sign
   nats::Connector<Contact> connector_;
   axisd::EventSource on_connector_;

@@ -71,7 +71,7 @@ std::shared_ptr<StorageConnection> JobThread::connection() {
   {
     const std::scoped_lock lock{mutex_};
     if (!is_up_) return nullptr;
-    if (connection_ && connection_->is_open()) return connection_;
+    if (connection_ && connection_->is_good()) return connection_;
     connection_.reset();
   }
   auto opened = StorageConnection::open(server_, client_);

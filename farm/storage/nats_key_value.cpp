@@ -51,6 +51,7 @@ tl::expected<kvStore*, std::string> NatsKeyValue::open(const std::string& bucket
 /// A bucket that was removed by somebody is made again the next time.
 tl::unexpected<std::string> NatsKeyValue::fail(const std::string& bucket, natsStatus status) {
   buckets_.erase(bucket);
+  has_failed_ = true;
   return tl::unexpected{storage_error(bucket, status)};
 }
 

@@ -27,6 +27,9 @@ class NatsKeyValue final : public KeyValue {
   [[nodiscard]] tl::expected<void, std::string> remove(const std::string& bucket, const std::string& key) override;
   [[nodiscard]] tl::expected<void, std::string> make(const std::string& bucket) override;
 
+  /// Whether something has failed: answers may not come over this connection any more.
+  [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
+
  private:
   using Bucket = std::unique_ptr<kvStore, nats::Destroyer<kvStore_Destroy>>;
   using Revision = tl::expected<std::optional<std::uint64_t>, std::string>;
@@ -40,6 +43,7 @@ class NatsKeyValue final : public KeyValue {
   tl::unexpected<std::string> fail(const std::string& bucket, natsStatus status);
 
   jsCtx* js_;
+  bool has_failed_ = false;
   std::map<std::string, Bucket> buckets_;
 };
 

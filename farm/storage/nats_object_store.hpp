@@ -23,6 +23,9 @@ class NatsObjectStore final : public ObjectStore {
   [[nodiscard]] tl::expected<void, std::string> remove(const std::string& bucket,
                                                        const std::string& name) override;
 
+  /// Whether something has failed: answers may not come over this connection any more.
+  [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
+
  private:
   using Done = tl::expected<void, std::string>;
 
@@ -36,6 +39,7 @@ class NatsObjectStore final : public ObjectStore {
   tl::unexpected<std::string> fail(const std::string& bucket, natsStatus status);
 
   jsCtx* js_;
+  bool has_failed_ = false;
   std::set<std::string> buckets_;  ///< that are there
 };
 

@@ -26,7 +26,11 @@ class StorageConnection {
   ~StorageConnection() = default;
 
   [[nodiscard]] Storage storage() noexcept { return {keys_, objects_}; }
-  [[nodiscard]] bool is_open() const noexcept { return !natsConnection_IsClosed(connection_.get()); }
+  /// Whether it may be used on. One over which something has failed may not: libnats keeps one open whose
+  /// subscription for answers was never sent.
+  [[nodiscard]] bool is_good() const noexcept {
+    return !natsConnection_IsClosed(connection_.get()) && !keys_.has_failed() && !objects_.has_failed();
+  }
   /// Any thread: what waits for the server ends.
   void close() const noexcept { natsConnection_Close(connection_.get()); }
 

@@ -114,7 +114,7 @@ inline constexpr std::array kLayers{
     Layer{"can/hub",
           {"libcanopen/base/", "os/", "can/userbus/", "can/port/", "can/connection/", "injection/language/",
            "injection/kinds/", "injection/json/", "nlohmann/", "fmt/", kSystem}},
-    Layer{"can/nats", {"can/hub/trunk/", "os/", "text/", "nats/", "nlohmann/", "fmt/", kSystem}},
+    Layer{"can/nats", {"can/hub/trunk/", "os/", "text/", "nats/", "openssl/", "nlohmann/", "fmt/", kSystem}},
     Layer{"can/nats_options", {"can/nats/", "CLI/", "fmt/"}},
     Layer{"record",
           {"libcanopen/base/frame.hpp", "libcanopen/base/time.hpp", "checksum/", "os/", "text/", "fmt/",

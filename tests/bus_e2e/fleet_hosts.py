@@ -21,10 +21,10 @@ ASKED_AT_ONCE = 10
 
 
 class Fleet:
-    """A server, and a client of it that sees what lies in the buckets and asks units."""
+    """A server, and a client of it that sees what lies in the buckets and asks units. PATIENCE (s): for the answer of a unit."""
 
-    def __init__(self, bench):
-        self.bench = bench
+    def __init__(self, bench, patience=ANSWER_PATIENCE):
+        self.bench, self.patience = bench, patience
         self.server = Server(bench)
         wait_until(self.connect, "the server serves")
         self.hosts = {}
@@ -73,7 +73,7 @@ class Fleet:
             self.client.pub(subject, json.dumps(data).encode(), reply)
         try:
             for _ in answers:
-                answer = self.client.next(ANSWER_PATIENCE)
+                answer = self.client.next(self.patience)
                 answers[answer.subject] = answer.data
         except TimeoutError:
             self.connect()  # what comes late is nobody's

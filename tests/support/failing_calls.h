@@ -25,6 +25,9 @@
   X(eventfd)             \
   X(map)                 \
   X(thread)              \
+  X(spawn)               \
+  X(pipe)                \
+  X(inotify)             \
   X(memory)
 
 #define FAILING_CALL_OF(name) CALL_##name,

@@ -39,31 +39,37 @@ void Checks::begin(const Check& check) {
   const auto content = configuration_file(folders_, check.unit, check.configuration);
   if (!content) return outcomes_.on_judged(check, content.error());
   if (const auto written = replace_file(path, *content); !written)
-    return outcomes_.on_judged(check, written.error());
+    return outcomes_.on_not_judged(check, written.error());
   const std::uint64_t number = ++last_number_;
   runs_[number] =
       std::make_unique<ShortRun>(events_, std::vector<std::string>{axisd_, "--check-config", "--config", path},
                                  [this, number, check, path](const ProcessEnd& end, const std::string& output) {
                                    runs_.erase(number);
                                    ::unlink(path.c_str());
-                                   finish(check, end.is_good ? "" : problem_of_check(output, path, end.how));
+                                   finish(check, end, output, path);
                                  });
 }
 
-void Checks::finish(const Check& check, const std::string& problem) {
-  if (problem.empty()) {
+/// One that has failed without a word about the file has not judged it.
+void Checks::finish(const Check& check, const ProcessEnd& end, std::string_view output, const std::string& path) {
+  const std::string problem = end.is_good ? "" : problem_of_check(output, path);
+  if (end.is_good) {
     if (good_.size() >= kMostGood) good_.clear();
     good_.insert(check.configuration);
   }
-  outcomes_.on_judged(check, problem);
+  if (end.is_good || !problem.empty())
+    outcomes_.on_judged(check, problem);
+  else
+    outcomes_.on_not_judged(check,
+                            fmt::format("the configuration cannot be judged: axisd --check-config: {}", end.how));
   begin_next();
 }
 
-std::string problem_of_check(std::string_view output, std::string_view path, const std::string& how) {
+std::string problem_of_check(std::string_view output, std::string_view path) {
   std::string_view line = output.substr(0, output.find('\n'));
   for (const std::string& start : {std::string{"axisd: "}, fmt::format("{}: ", path)})
     if (line.starts_with(start)) line.remove_prefix(start.size());
-  if (line.empty()) return fmt::format("axisd --check-config {}", how);
+  if (line.empty()) return {};
   return fmt::format("configuration: {}", line);
 }
 

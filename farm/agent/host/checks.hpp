@@ -32,7 +32,7 @@ class Checks {
  private:
   void begin_next();
   void begin(const Check& check);
-  void finish(const Check& check, const std::string& problem);
+  void finish(const Check& check, const ProcessEnd& end, std::string_view output, const std::string& path);
 
   axisd::ServiceEvents& events_;
   const Folders& folders_;
@@ -45,7 +45,7 @@ class Checks {
 };
 
 /// What `axisd --check-config` has said of the file at @p path, as a problem: one line without the names of the
-/// program and of the file.
-[[nodiscard]] std::string problem_of_check(std::string_view output, std::string_view path, const std::string& how);
+/// program and of the file. Empty if it has said nothing.
+[[nodiscard]] std::string problem_of_check(std::string_view output, std::string_view path);
 
 }  // namespace farm::agent

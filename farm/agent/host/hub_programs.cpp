@@ -84,6 +84,8 @@ void HubPrograms::hold(const std::string& bus, ProcessHandle process) {
 void HubPrograms::start(const HubStart& start) {
   const std::string path = folders_.hub(start.bus);
   if (hubs_.contains(start.bus)) return outcomes_.on_hub_ended(start.bus, "the former hub has not ended yet");
+  find(start.bus);  // one that could not be told from another one's before
+  if (hubs_.contains(start.bus)) return;
   if (const auto other = server_of_bus(path))
     return outcomes_.on_hub_ended(
         start.bus, fmt::format("{}: served by process {}, which no agent has started", path, other->number));

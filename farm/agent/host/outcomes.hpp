@@ -17,6 +17,8 @@ class Outcomes {
 
   /// @p problem is empty if the configuration can be used.
   virtual void on_judged(const Check& check, const std::string& problem) = 0;
+  /// It could not be judged, which says nothing of the configuration.
+  virtual void on_not_judged(const Check& check, const std::string& why) = 0;
   /// A unit runs since before this agent.
   virtual void on_unit_found(const UnitStart& unit) = 0;
   virtual void on_unit_started(const UnitName& unit) = 0;

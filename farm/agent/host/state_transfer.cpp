@@ -32,16 +32,17 @@ tl::expected<std::optional<std::uint32_t>, std::string> StateTransfer::fetch(Sto
 tl::expected<StateTransfer::Upload, std::string> StateTransfer::upload(Storage& storage, const UnitName& unit,
                                                                        std::uint64_t term) const {
   const auto content = read_parameters(folders_, unit);
-  if (!content) return Upload{};
+  if (!content) return tl::unexpected{content.error()};
+  if (!*content) return Upload{};
   const auto entry = storage.keys.get(places_bucket(farm_), unit.key());
   if (!entry) return tl::unexpected{entry.error()};
   const std::string text = *entry ? (*entry)->value : "";
   const auto place = parse_place(unit.key(), text);
   if (!place) return tl::unexpected{fmt::format("place of {} is not known", unit.text())};
   if (place->term > term) return Upload{.is_others = true, .checksum = std::nullopt};
-  if (auto put = storage.objects.put(state_bucket(farm_), state_object(unit, kParameters), *content); !put)
+  if (auto put = storage.objects.put(state_bucket(farm_), state_object(unit, kParameters), **content); !put)
     return tl::unexpected{std::move(put.error())};
-  return Upload{.is_others = false, .checksum = checksum_of(*content)};
+  return Upload{.is_others = false, .checksum = checksum_of(**content)};
 }
 
 }  // namespace farm::agent

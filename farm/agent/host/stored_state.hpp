@@ -27,8 +27,8 @@ class StoredState {
   void prepare(const UnitStart& start, std::function<void(tl::expected<void, std::string>)> then);
   /// The unit runs, or has run, under @p start.
   void note(const UnitStart& start);
-  /// Under what @p unit was started last; nothing: it never was.
-  [[nodiscard]] std::optional<UnitStart> noted(const UnitName& unit);
+  /// Under what @p unit was started last; nothing: it never was. The error is one line: that cannot be read now.
+  [[nodiscard]] tl::expected<std::optional<UnitStart>, std::string> noted(const UnitName& unit);
 
   /// @p unit runs: what it saves from now on goes to the server, and what it has saved if that is not there.
   void begin(const UnitName& unit);
@@ -41,10 +41,12 @@ class StoredState {
   void on_up();
 
  private:
-  UnitNote& note_of(const UnitName& unit);
+  [[nodiscard]] tl::expected<UnitNote*, std::string> note_of(const UnitName& unit);
   void keep_note(const UnitName& unit);
   void look_at(const UnitName& unit);
   void upload(const UnitName& unit);
+  void try_later(const UnitName& unit, const std::string& why);
+  void try_again();
   void finish(const UnitName& unit, const tl::expected<StateTransfer::Upload, std::string>& outcome);
 
   axisd::ServiceEvents& events_;
@@ -57,6 +59,7 @@ class StoredState {
   std::set<UnitName> running_;
   std::set<UnitName> under_way_;  ///< to the server
   std::set<UnitName> waiting_;    ///< to be tried again
+  std::set<UnitName> unwatched_;  ///< run, and are looked at now and then
   axisd::EventSource again_;
 };
 

@@ -34,12 +34,12 @@ void UnitPrograms::find() {
     const UnitName name{std::string{socket->label}, std::string{socket->station}};
     auto process = server_of_socket(folders_.socket(name));
     const auto start = state_.noted(name);
-    if (!process || !start) continue;
+    if (!process || !start || !*start) continue;
     Unit& unit = units_[name];
-    unit.start = *start;
+    unit.start = **start;
     hold(unit, *std::move(process));
     state_.begin(name);
-    outcomes_.on_unit_found(*start);
+    outcomes_.on_unit_found(**start);
   }
 }
 
@@ -77,11 +77,12 @@ void UnitPrograms::begin(Unit& unit) {
 void UnitPrograms::begin_beside(Unit& unit, ProcessHandle other) {
   const UnitName name = unit.start.unit;
   const auto noted = state_.noted(name);
-  if (!noted)
+  if (!noted) return give_up(name, noted.error());
+  if (!*noted)
     return give_up(name, fmt::format("{}: served by process {}, which no agent has started", folders_.socket(name),
                                      other.number));
   hold(unit, std::move(other));
-  if (noted->configuration != unit.start.configuration) return unit.process->end();
+  if ((*noted)->configuration != unit.start.configuration) return unit.process->end();
   state_.note(unit.start);
   on_ready(name);
 }

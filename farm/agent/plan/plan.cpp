@@ -53,6 +53,12 @@ void Plan::on_judged(const Check& check, const std::string& problem) {
   record.judgement = Judgement{check.configuration, problem};
 }
 
+void Plan::on_not_judged(const Check& check, const std::string& why, TimePoint now) {
+  UnitRecord& record = ledger_.units()[check.unit];
+  record.is_being_judged = false;
+  record.judgement = Judgement{check.configuration, why, now + kFirstPause};
+}
+
 void Plan::on_found(const UnitStart& unit, TimePoint now) {
   UnitRecord& record = ledger_.units()[unit.unit];
   record.process.on_started(now);

@@ -43,6 +43,7 @@ class Plan {
                   canopen::TimePoint now);
   /// What became of a check: @p problem is empty if the configuration can be used.
   void on_judged(const Check& check, const std::string& problem);
+  void on_not_judged(const Check& check, const std::string& why, canopen::TimePoint now);
   /// A unit runs here since before this agent.
   void on_found(const UnitStart& unit, canopen::TimePoint now);
   void on_started(const UnitName& unit, canopen::TimePoint now);

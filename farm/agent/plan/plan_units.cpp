@@ -54,7 +54,9 @@ void Plan::keep(const UnitName& unit, UnitRecord& record, const Situation& at) {
     if (record.process.is_off() && record.is_saved && at.is_hearing_over) release(unit, record, at);
     return;
   }
-  const bool is_judged = record.judgement && record.judgement->configuration == record.wish->configuration;
+  const bool is_judged = record.judgement && record.judgement->configuration == record.wish->configuration &&
+                         at.now < record.judgement->again;
+  if (is_judged) wake_at(record.judgement->again, at.now);
   if (record.wish->problem.empty() && !is_judged && !record.is_being_judged) {
     record.is_being_judged = true;
     orders_.checks.push_back({unit, record.wish->configuration});

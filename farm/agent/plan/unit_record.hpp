@@ -28,7 +28,8 @@ struct KnownPlace {
 /// What a configuration came to when it was judged.
 struct Judgement {
   std::string configuration;
-  std::string problem;  ///< empty: it can be used
+  std::string problem;                         ///< empty: it can be used
+  canopen::TimePoint again = canopen::kNever;  ///< when it is to be judged again: it could not be
 };
 
 /// All that is known of one unit.

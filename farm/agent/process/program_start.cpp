@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "os/own_program.hpp"
@@ -26,12 +27,12 @@ class Conditions {
  public:
   explicit Conditions(const ProgramStart& start) noexcept {
     posix_spawn_file_actions_init(&actions);
-    if (start.output >= 0) posix_spawn_file_actions_adddup2(&actions, start.output, STDERR_FILENO);
+    if (start.output >= 0) note(posix_spawn_file_actions_adddup2(&actions, start.output, STDERR_FILENO));
     const int first_closed = start.kept >= 0 ? STDERR_FILENO + 2 : STDERR_FILENO + 1;
-    if (start.kept >= 0) posix_spawn_file_actions_adddup2(&actions, start.kept, STDERR_FILENO + 1);
+    if (start.kept >= 0) note(posix_spawn_file_actions_adddup2(&actions, start.kept, STDERR_FILENO + 1));
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO})
-      posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", O_RDWR, 0);
-    posix_spawn_file_actions_addclosefrom_np(&actions, first_closed);
+      note(posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", O_RDWR, 0));
+    note(posix_spawn_file_actions_addclosefrom_np(&actions, first_closed));
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     sigset_t signals;
@@ -49,6 +50,12 @@ class Conditions {
 
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
+  int error = 0;  ///< 0: all of it was noted
+
+ private:
+  void note(int result) noexcept {
+    if (error == 0) error = result;
+  }
 };
 
 std::string_view name_of(std::string_view variable) noexcept {
@@ -75,6 +82,12 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
+/// Nobody would look after it.
+void end_child(pid_t number) noexcept {
+  ::kill(number, SIGKILL);
+  ::waitpid(number, nullptr, 0);
+}
+
 }  // namespace
 
 tl::expected<ProcessHandle, std::string> start_program(const ProgramStart& start) {
@@ -84,11 +97,15 @@ tl::expected<ProcessHandle, std::string> start_program(const ProgramStart& start
   const std::vector<char*> variables = pointers_to(texts);
   const std::vector<char*> words = pointers_to(arguments);
   pid_t number = 0;
-  const int error = posix_spawn(&number, words.front(), &conditions.actions, &conditions.attributes, words.data(),
-                                variables.data());
+  int error = conditions.error;
+  if (error == 0)
+    error = posix_spawn(&number, words.front(), &conditions.actions, &conditions.attributes, words.data(),
+                        variables.data());
   if (error != 0)
     return tl::unexpected{fmt::format("{}: cannot be started: {}", start.words.front(), std::strerror(error))};
-  return find_process(number);
+  auto process = find_process(number);
+  if (!process) end_child(number);
+  return process;
 }
 
 tl::expected<ProcessHandle, std::string> find_process(pid_t number) {

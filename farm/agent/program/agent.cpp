@@ -159,6 +159,11 @@ void Agent::on_judged(const Check& check, const std::string& problem) {
   is_due_ = true;
 }
 
+void Agent::on_not_judged(const Check& check, const std::string& why) {
+  plan_.on_not_judged(check, why, read_clock());
+  is_due_ = true;
+}
+
 void Agent::on_unit_found(const UnitStart& unit) {
   plan_.on_found(unit, read_clock());
   log_.notice("{}: goes on, it was here before this agent", unit.unit.text());

@@ -44,6 +44,7 @@ class Agent final : public Link::Listener, public Outcomes {
   void on_down(const std::string& why) override;
 
   void on_judged(const Check& check, const std::string& problem) override;
+  void on_not_judged(const Check& check, const std::string& why) override;
   void on_unit_found(const UnitStart& unit) override;
   void on_unit_started(const UnitName& unit) override;
   void on_unit_ended(const UnitName& unit, const std::string& why) override;

@@ -26,6 +26,8 @@ using nlohmann::json;
 
 /// Of what a unit saves (bytes).
 constexpr std::size_t kLongestFile = std::size_t{16} << 20;
+/// Of a note (bytes): a configuration and little more.
+constexpr std::size_t kLongestNote = std::size_t{1} << 20;
 /// Node-ID of a unit that LSS has to give one.
 constexpr int kNoNodeId = 255;
 constexpr std::string_view kWithSerial = "unconfigured-";
@@ -49,6 +51,15 @@ int write_file(const std::string& path, std::string_view content, Write write) n
   if (!file) return errno;
   if (const int error = write_all(file.get(), content)) return error;
   return write == Write::ToCache || ::fdatasync(file.get()) == 0 ? 0 : errno;
+}
+
+/// The content of the file at @p path; nothing if there is none, or what no program here has put there.
+tl::expected<std::optional<std::string>, std::string> read_if_there(const std::string& path, std::size_t most) {
+  auto content = os::read_regular_file(path, most);
+  if (content) return *std::move(content);
+  const os::UnreadableFile& why = content.error();
+  if (why.is_missing() || why.why != os::UnreadableFile::Why::System) return std::nullopt;
+  return tl::unexpected{fmt::format("{}: cannot be read: {}", path, why.reason())};
 }
 
 /// Serial number of a station without node-ID that has one.
@@ -112,16 +123,23 @@ tl::expected<void, std::string> replace_file(const std::string& path, std::strin
   return tl::unexpected{fmt::format("{}: cannot be written: {}", path, std::strerror(error))};
 }
 
-std::optional<std::string> read_parameters(const Folders& folders, const UnitName& unit) {
-  auto content = os::read_regular_file(folders.parameters(unit), kLongestFile);
-  if (!content) return std::nullopt;
-  return *std::move(content);
+tl::expected<std::optional<std::string>, std::string> read_parameters(const Folders& folders,
+                                                                      const UnitName& unit) {
+  return read_if_there(folders.parameters(unit), kLongestFile);
 }
 
-std::optional<std::uint32_t> checksum_of_parameters(const Folders& folders, const UnitName& unit) {
+tl::expected<std::optional<std::uint32_t>, std::string> checksum_of_parameters(const Folders& folders,
+                                                                               const UnitName& unit) {
   const auto content = read_parameters(folders, unit);
-  if (!content) return std::nullopt;
-  return checksum::crc32(std::as_bytes(std::span{*content}));
+  if (!content) return tl::unexpected{content.error()};
+  if (!*content) return std::nullopt;
+  return checksum::crc32(std::as_bytes(std::span{**content}));
+}
+
+tl::expected<UnitNote, std::string> read_note(const Folders& folders, const UnitName& unit) {
+  const auto text = read_if_there(folders.note(unit), kLongestNote);
+  if (!text) return tl::unexpected{text.error()};
+  return parse_unit_note(text->value_or("")).value_or(UnitNote{});
 }
 
 tl::expected<std::string, std::string> configuration_file(const Folders& folders, const UnitName& unit,

@@ -51,10 +51,15 @@ enum class Write : bool { ToCache, ToDisk };
 /// is one line.
 [[nodiscard]] tl::expected<void, std::string> replace_file(const std::string& path, std::string_view content,
                                                            Write write = Write::ToCache);
-/// What @p unit has saved; nothing if that is nothing.
-[[nodiscard]] std::optional<std::string> read_parameters(const Folders& folders, const UnitName& unit);
-/// Checksum of what @p unit has saved; nothing if it has saved nothing.
-[[nodiscard]] std::optional<std::uint32_t> checksum_of_parameters(const Folders& folders, const UnitName& unit);
+/// What @p unit has saved; nothing if that is nothing. The error is one line: it has, and that cannot be read now.
+[[nodiscard]] tl::expected<std::optional<std::string>, std::string> read_parameters(const Folders& folders,
+                                                                                    const UnitName& unit);
+/// Checksum of what @p unit has saved; nothing if it has saved nothing. The error as above.
+[[nodiscard]] tl::expected<std::optional<std::uint32_t>, std::string> checksum_of_parameters(
+    const Folders& folders, const UnitName& unit);
+/// What is kept of @p unit, by its file; nothing that counts if there is none. The error is one line: there is
+/// one, and it cannot be read now.
+[[nodiscard]] tl::expected<UnitNote, std::string> read_note(const Folders& folders, const UnitName& unit);
 
 /// The configuration file of @p unit: @p configuration and what its name says. The error is one line.
 [[nodiscard]] tl::expected<std::string, std::string> configuration_file(const Folders& folders,

@@ -16,6 +16,9 @@ const UnitName kUnit{"line1", "5"};
 /// Keeps what it is told, a line each.
 class ToldOutcomes final : public Outcomes {
  public:
+  void on_not_judged(const Check& check, const std::string& why) override {
+    add(check.unit.text() + " not judged: " + why);
+  }
   void on_judged(const Check& check, const std::string& problem) override {
     add(check.unit.text() + " judged: " + problem);
   }
@@ -78,6 +81,15 @@ TEST_F(ProgramsTest, AxisdJudgesConfigurations) {
   checks.judge({kUnit, "{}"});
   expect_lines({"line1/5 judged: configuration: /bad: unknown key", "line1/5 judged: "});
   EXPECT_FALSE(std::filesystem::exists(folders.configuration(kUnit) + ".check")) << "nothing is left";
+}
+
+TEST_F(ProgramsTest, AnAxisdThatDoesNotJudgeSaysNothingOfTheConfiguration) {
+  Checks checks{events, folders, program("kill -9 $$"), outcomes};
+
+  checks.judge({kUnit, "{}"});
+
+  expect_lines(
+      {"line1/5 not judged: the configuration cannot be judged: axisd --check-config: was ended by signal 9"});
 }
 
 TEST_F(ProgramsTest, WhatIsGoodForOneUnitIsGoodForOthers) {

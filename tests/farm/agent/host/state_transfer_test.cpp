@@ -32,14 +32,14 @@ TEST_F(StateTransferTest, FetchesWhatLiesOnTheServer) {
   object() = "123456789";
 
   EXPECT_EQ(transfer.fetch(storage, kUnit).value(), kChecksum);
-  EXPECT_EQ(read_parameters(folders, kUnit), "123456789");
+  EXPECT_EQ(read_parameters(folders, kUnit).value(), "123456789");
 }
 
 TEST_F(StateTransferTest, LeavesWhatIsHereWhereNothingLiesOnTheServer) {
   ASSERT_TRUE(replace_file(folders.parameters(kUnit), "here"));
 
   EXPECT_EQ(transfer.fetch(storage, kUnit).value(), std::nullopt);
-  EXPECT_EQ(read_parameters(folders, kUnit), "here");
+  EXPECT_EQ(read_parameters(folders, kUnit).value(), "here");
 }
 
 TEST_F(StateTransferTest, SaysWhyNothingIsFetched) {

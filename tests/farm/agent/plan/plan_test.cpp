@@ -84,6 +84,19 @@ TEST_F(WantedUnits, SaysOnceWhyADocumentIsNone) {
   EXPECT_TRUE(a.runs({"line1", "6"}));
 }
 
+TEST_F(WantedUnits, JudgesADocumentAgainThatCouldNotBeJudged) {
+  Host& a = farm.add("a");
+  a.cannot_judge = true;
+  farm.want(kUnit);
+  EXPECT_TRUE(farm.pass_until([&] { return farm.place(kUnit).problem == "no room on the disk"; }));
+  farm.pass(5s);
+  EXPECT_EQ(told(a, "line1/5: no room on the disk"), 1u);
+  EXPECT_FALSE(a.runs(kUnit));
+
+  a.cannot_judge = false;
+  EXPECT_TRUE(farm.pass_until([&] { return a.runs(kUnit) && farm.place(kUnit).problem.empty(); }));
+}
+
 TEST_F(WantedUnits, SwitchesAUnitOffThatIsWantedNoMore) {
   Host& a = farm.add("a");
   farm.want(kUnit);

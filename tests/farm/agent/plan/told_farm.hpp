@@ -64,6 +64,7 @@ class Host {
   bool has_door = false;
   std::uint64_t door_instance = 0;
   bool is_cut = false;
+  bool cannot_judge = false;  ///< configurations
   std::map<UnitName, Unit> units;
   std::map<UnitName, Folder> folders;
   std::set<std::string> hubs;

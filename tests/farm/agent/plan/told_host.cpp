@@ -196,7 +196,8 @@ void Host::carry_out(const farm::agent::Orders& orders) {
       for (Host& host : farm_.hosts) host.tell(write.bucket, *entry);
     });
   for (const auto& check : orders.checks)
-    later_here([check](farm::agent::Plan& it) {
+    later_here([check, this](farm::agent::Plan& it) {
+      if (cannot_judge) return it.on_not_judged(check, "no room on the disk", farm_.now);
       it.on_judged(check, check.configuration.find("bad") == std::string::npos ? "" : "no configuration");
     });
   for (const UnitName& unit : orders.stops)

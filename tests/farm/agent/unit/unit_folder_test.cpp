@@ -50,12 +50,25 @@ TEST_F(UnitFolderTest, HasTheNamesThatAxisdHas) {
 TEST_F(UnitFolderTest, ReplacesAFileInAFolderThatItMakes) {
   const std::string path = folders.parameters(kUnit);
 
-  EXPECT_EQ(checksum_of_parameters(folders, kUnit), std::nullopt);
+  EXPECT_EQ(checksum_of_parameters(folders, kUnit).value(), std::nullopt);
   ASSERT_TRUE(replace_file(path, "first"));
   ASSERT_TRUE(replace_file(path, "123456789"));
   EXPECT_EQ(content_of(path), "123456789");
-  EXPECT_EQ(checksum_of_parameters(folders, kUnit), 0xCBF43926U);
+  EXPECT_EQ(checksum_of_parameters(folders, kUnit).value(), 0xCBF43926U);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folders.state + "/line1-5"}, {}), 1);
+}
+
+TEST_F(UnitFolderTest, TellsWhatCannotBeReadFromWhatIsNotThere) {
+  EXPECT_EQ(read_parameters(folders, kUnit).value(), std::nullopt);
+  EXPECT_EQ(read_note(folders, kUnit).value(), UnitNote{});
+
+  std::filesystem::create_directories(folders.parameters(kUnit));
+  std::filesystem::create_directories(folders.note(kUnit));
+  EXPECT_EQ(read_parameters(folders, kUnit).error(),
+            folders.parameters(kUnit) + ": cannot be read: Is a directory");
+  EXPECT_EQ(checksum_of_parameters(folders, kUnit).error(),
+            folders.parameters(kUnit) + ": cannot be read: Is a directory");
+  EXPECT_EQ(read_note(folders, kUnit).error(), folders.note(kUnit) + ": cannot be read: Is a directory");
 }
 
 TEST_F(UnitFolderTest, SaysWhatCannotBeWritten) {
