@@ -4,6 +4,8 @@
 #include <array>
 
 #include "cia402/objects/object_index.hpp"
+#include "libcanopen/base/little_endian.hpp"
+#include "libcanopen/base/node_id.hpp"
 #include "libcanopen/base/object_index.hpp"
 
 namespace cia402 {
@@ -32,6 +34,15 @@ constexpr std::array<std::uint16_t, 13> kMomentary{object::kControlword,
                                                    object::kTargetVelocity};
 constexpr std::array<std::uint16_t, 3> kCommands{canopen::object::kErrorField, canopen::object::kStoreParameters,
                                                  canopen::object::kRestoreParameters};
+
+/// The node-ID that @p number stands for, which is that of an image; std::nullopt if none was set.
+tl::expected<std::optional<std::uint8_t>, Error> node_id_in(std::uint16_t number) noexcept {
+  if (number == 0) return std::nullopt;
+  const auto node_id = static_cast<std::uint8_t>(number);
+  const bool is_one = canopen::is_node_id(node_id) || node_id == canopen::kNoNodeId;
+  if (number != (kNodeIdSet | node_id) || !is_one) return tl::unexpected{Error::NoSuchParameter};
+  return node_id;
+}
 
 bool is_of(const canopen::Entry& entry, ObjectGroup group) noexcept {
   if (group == ObjectGroup::All) return true;
@@ -91,19 +102,28 @@ tl::expected<void, Error> ObjectImage::adopt(std::span<const std::byte> image) n
   return {};
 }
 
+bool ObjectImage::can_have(const canopen::Entry& entry, std::int64_t value) const noexcept {
+  if (value == dictionary_.initial(entry)) return true;
+  const std::uint64_t bits = static_cast<std::uint64_t>(value) & canopen::byte_mask(entry.size);
+  const std::int64_t kept =
+      entry.is_signed ? canopen::sign_extend(bits, entry.size) : static_cast<std::int64_t>(bits);
+  return kept == value && canopen::Dictionary::check(entry, value).has_value();
+}
+
 /// Into `next` of the values.
 tl::expected<void, Error> ObjectImage::read(drive::image_format::Reader& reader) noexcept {
-  const auto node_id = reader.take<std::uint16_t>();
+  const auto node_id = node_id_in(reader.take<std::uint16_t>());
+  if (!node_id) return tl::unexpected{node_id.error()};
   if (reader.take<std::uint32_t>() != values_.size()) return tl::unexpected{Error::NoSuchParameter};
   for (Value& value : values_) {
     const auto index = reader.take<std::uint16_t>();
     const auto sub_index = reader.take<std::uint8_t>();
     value.next = reader.take<std::int64_t>();
-    if (index != value.entry->index || sub_index != value.entry->sub_index)
+    if (index != value.entry->index || sub_index != value.entry->sub_index || !can_have(*value.entry, value.next))
       return tl::unexpected{Error::NoSuchParameter};
   }
   if (!reader.is_at_end()) return tl::unexpected{Error::Truncated};
-  node_id_ = (node_id & kNodeIdSet) != 0 ? std::optional{static_cast<std::uint8_t>(node_id)} : std::nullopt;
+  node_id_ = *node_id;
   return {};
 }
 

@@ -52,6 +52,7 @@ class ObjectImage {
     std::int64_t next;
   };
   std::span<const std::byte> write() noexcept;
+  bool can_have(const canopen::Entry& entry, std::int64_t value) const noexcept;
   tl::expected<void, drive::image_format::Error> read(drive::image_format::Reader& reader) noexcept;
 
   canopen::Dictionary& dictionary_;
