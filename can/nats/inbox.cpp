@@ -4,7 +4,7 @@
 #include <new>
 
 #include "can/nats/nats_handles.hpp"
-#include "can/nats/openssl.hpp"
+#include "can/nats/tls/openssl.hpp"
 
 namespace nats {
 

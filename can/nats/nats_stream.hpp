@@ -7,7 +7,7 @@
 #include "can/hub/trunk/stream.hpp"
 #include "can/nats/connector.hpp"
 #include "can/nats/join.hpp"
-#include "can/nats/tls_records.hpp"
+#include "can/nats/tls/tls_records.hpp"
 #include "os/pollable.hpp"
 
 namespace nats {

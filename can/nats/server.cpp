@@ -9,7 +9,7 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
-#include "can/nats/openssl.hpp"
+#include "can/nats/tls/openssl.hpp"
 
 namespace nats {
 

@@ -1,4 +1,4 @@
-#include "can/nats/tls_records.hpp"
+#include "can/nats/tls/tls_records.hpp"
 
 #include <array>
 #include <string>

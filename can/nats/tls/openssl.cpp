@@ -1,4 +1,4 @@
-#include "can/nats/openssl.hpp"
+#include "can/nats/tls/openssl.hpp"
 
 #include <openssl/crypto.h>
 
