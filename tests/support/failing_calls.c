@@ -104,7 +104,6 @@ SPARED(natsMutex_Create, (void** mutex), mutex)
 SPARED(natsStrHash_Create, (void** hash, int size), hash, size)
 SPARED(natsHash_Set, (void* hash, int64_t key, void* value, void** before), hash, key, value, before)
 SPARED(natsLib_msgDeliveryAssignWorker, (void* subscription), subscription)
-#undef SPARED
 
 static int open_as(int folder, const char* path, int flags, mode_t mode) {
   if (fails(CALL_open)) return -1;
@@ -236,7 +235,8 @@ int epoll_create1(int flags) {
   return fails(CALL_epoll) ? -1 : (int)syscall(SYS_epoll_create1, flags);
 }
 int epoll_ctl(int set, int operation, int descriptor, struct epoll_event* event) {
-  return fails(CALL_epoll) ? -1 : (int)syscall(SYS_epoll_ctl, set, operation, descriptor, event);
+  if (operation != EPOLL_CTL_DEL /* needs nothing */ && fails(CALL_epoll)) return -1;
+  return (int)syscall(SYS_epoll_ctl, set, operation, descriptor, event);
 }
 int epoll_wait(int set, struct epoll_event* events, int most, int longest) {
   if (fails(CALL_wait)) return -1;
