@@ -24,10 +24,12 @@ class Fleet:
     """A server, and a client of it that sees what lies in the buckets and asks units. PATIENCE (s): for the answer of a unit."""
 
     def __init__(self, bench, patience=ANSWER_PATIENCE):
-        self.bench, self.patience = bench, patience
-        self.server = Server(bench)
+        self.bench, self.patience, self.hosts = bench, patience, {}
+        self.server = self.serve()
         wait_until(self.connect, "the server serves")
-        self.hosts = {}
+
+    def serve(self):
+        return Server(self.bench)
 
     def connect(self):
         try:

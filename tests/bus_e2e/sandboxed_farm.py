@@ -60,11 +60,13 @@ class Fleet(fleet_hosts.Fleet):
     """One whose server takes nobody without TLS."""
 
     def __init__(self, bench, sources):
-        self.bench, self.hosts, self.tls = bench, {}, bench.folder / 'tls'
+        self.tls = bench.folder / 'tls'
         subprocess.run([sources / 'examples/fleet/certificates.sh', self.tls, 'localhost'], check=True)
         self.context = ssl.create_default_context(cafile=self.tls / 'ca.crt')
-        self.server = Server(bench, settings=f'tls {{ cert_file: "{self.tls}/server.crt", key_file: "{self.tls}/server.key" }}')
-        wait_until(self.connect, 'the server serves')
+        super().__init__(bench)
+
+    def serve(self):
+        return Server(self.bench, settings=f'tls {{ cert_file: "{self.tls}/server.crt", key_file: "{self.tls}/server.key" }}')
 
     def connect(self):
         try:
