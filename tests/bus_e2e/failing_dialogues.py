@@ -8,17 +8,16 @@ import subprocess
 import time
 
 import programs
+from sdo_client import SAVE, Client
 
-SAVE = struct.unpack('<I', b'save')[0]
 ANSWER = 3  # s, for an answer of a program that is well; a save may wait for the disk
 
 
-class Master:
-    """A socket on the bus of with-can, with the requests of a master to node 5."""
+class Master(Client):
+    """The requests of a master to node 5."""
 
     def __init__(self, _):
-        self.socket = socket.socket(socket.AF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
-        self.socket.bind(('vcan0',))
+        super().__init__()
 
     def __enter__(self):
         return self
@@ -28,16 +27,12 @@ class Master:
 
     def ask(self, command, index, sub_index, value=0):
         """The answer to an SDO request, nothing if there is none."""
-        self.socket.send(struct.pack('<IB3xBHBI', 0x605, 8, command, index, sub_index, value))
+        self.request(5, command, index, sub_index, value)
         end = time.monotonic() + ANSWER
         while (left := end - time.monotonic()) > 0:
-            self.socket.settimeout(left)
-            try:
-                frame = self.socket.recv(16)
-            except TimeoutError:
-                return None
-            if struct.unpack('<I', frame[:4])[0] == 0x585 and frame[9:12] == struct.pack('<HB', index, sub_index):
-                return frame[8:]
+            for _, data in self.answers(left):
+                if data[1:4] == struct.pack('<HB', index, sub_index):
+                    return data
         return None
 
     def heartbeat_time(self):
