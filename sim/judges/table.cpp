@@ -38,6 +38,7 @@ std::span<const Invariant> invariants() noexcept {
 
 std::vector<std::unique_ptr<Judge>> make_judges(std::size_t units) {
   std::vector<std::unique_ptr<Judge>> judges;
+  judges.reserve(kInvariants.size());
   for (const Invariant& each : kInvariants) judges.push_back(each.make(each.name, units));
   return judges;
 }

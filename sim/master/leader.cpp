@@ -51,7 +51,7 @@ bool Leader::is_lost() const noexcept {
   return has_restarted_ || is_silent;
 }
 
-std::uint16_t Leader::object(std::uint16_t index, unsigned axis) const noexcept {
+std::uint16_t Leader::object(std::uint16_t index, unsigned axis) noexcept {
   return static_cast<std::uint16_t>(index + kAxisStride * axis);
 }
 

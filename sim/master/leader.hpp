@@ -59,7 +59,7 @@ class Leader final : public Station {
 
   [[nodiscard]] bool is_lost() const noexcept;
   [[nodiscard]] bool is_calm() const noexcept { return now() >= calm_; }
-  [[nodiscard]] std::uint16_t object(std::uint16_t index, unsigned axis) const noexcept;
+  [[nodiscard]] static std::uint16_t object(std::uint16_t index, unsigned axis) noexcept;
   void command_node(std::uint8_t command) noexcept;
 
   LeaderPlan plan_;
