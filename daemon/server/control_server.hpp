@@ -56,14 +56,14 @@ class ControlServer {
   std::size_t clients() const noexcept { return clients_.size(); }
   const Counters& counters() const noexcept { return counters_; }
 
-  /// Whether @p client is still there.
-  bool has(ClientId client) const noexcept;
-  /// @p line, with its newline, answers the request of @p client that is under way, if that is still there.
-  void answer(ClientId client, std::string_view line);
-  /// @p line, with its newline, goes to @p client as well; one that has left too much unread is cut off.
-  void push(ClientId client, std::string_view line);
-  /// @p client will be told something without asking: it makes no room for others.
-  void keep(ClientId client, bool kept) noexcept;
+  /// Whether @p id is still there.
+  bool has(ClientId id) const noexcept;
+  /// @p line, with its newline, answers the request of @p id that is under way, if that is still there.
+  void answer(ClientId id, std::string_view line);
+  /// @p line, with its newline, goes to @p id as well; one that has left too much unread is cut off.
+  void push(ClientId id, std::string_view line);
+  /// @p id will be told something without asking: it makes no room for others.
+  void keep(ClientId id, bool kept) noexcept;
 
  private:
   struct Client {
