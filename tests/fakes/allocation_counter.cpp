@@ -1,20 +1,21 @@
 #include "tests/fakes/allocation_counter.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-std::uint64_t count = 0;
+std::atomic<std::uint64_t> count{0};
 
 void* counted(std::size_t size) {
-  ++count;
+  count.fetch_add(1, std::memory_order_relaxed);
   if (void* const memory = std::malloc(size)) return memory;
   throw std::bad_alloc{};
 }
 
 void* counted(std::size_t size, std::align_val_t alignment) {
-  ++count;
+  count.fetch_add(1, std::memory_order_relaxed);
   const auto step = static_cast<std::size_t>(alignment);
   if (void* const memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
   throw std::bad_alloc{};
@@ -23,7 +24,7 @@ void* counted(std::size_t size, std::align_val_t alignment) {
 }  // namespace
 
 std::uint64_t fakes::allocations() noexcept {
-  return count;
+  return count.load(std::memory_order_relaxed);
 }
 
 // The array forms of the library call these, and its nothrow form too unless a sanitizer brings its own.
@@ -34,7 +35,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, alignment);
 }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++count;
+  count.fetch_add(1, std::memory_order_relaxed);
   return std::malloc(size);
 }
 void operator delete(void* memory) noexcept {
