@@ -1,5 +1,6 @@
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -151,22 +152,28 @@ TEST(SteppedTime, GoesOnAsFarAsItIsLet) {
   const hub_test::RunningHub hub{with_time(TimeMode::Stepped)};
   const auto device = join(hub, userbus::kDevice);
   bus::Party& party = device->add();
-  std::vector<canopen::Duration> acted;
+  std::mutex mutex;  // for who does not know that one acts at a time
+  std::vector<canopen::Duration> times;
+  const auto acted = [&] {
+    const std::scoped_lock lock{mutex};
+    return times;
+  };
   const Bell end;
   std::thread thread{[&] {
     pollfd wanted = end.wanted();
     canopen::Duration next = 1ms;
     while (!device->wait(party, {.descriptors = {&wanted, 1}, .until = instant(next)})) {
-      acted.push_back(age(*device));
+      const std::scoped_lock lock{mutex};
+      times.push_back(age(*device));
       next += 1ms;
     }
     device->remove(party);
   }};
 
   EXPECT_EQ(step(hub, 2500us), 2500us);
-  EXPECT_EQ(acted, (std::vector<canopen::Duration>{1ms, 2ms}));
+  EXPECT_EQ(acted(), (std::vector<canopen::Duration>{1ms, 2ms}));
   EXPECT_EQ(step(hub, 500us), 3ms);
-  EXPECT_EQ(acted, (std::vector<canopen::Duration>{1ms, 2ms, 3ms}));
+  EXPECT_EQ(acted(), (std::vector<canopen::Duration>{1ms, 2ms, 3ms}));
   end.ring();
   thread.join();
 }
