@@ -105,6 +105,7 @@ def play(arguments, folder):
     check_cyclic(client)
     lost = 0
     for step in range(1, arguments.steps + 1):
+        client.drain()  # what came meanwhile is no burst behind the step
         done = set_clock(draw)
         try:
             check_step(folder, client, gateway, step)
