@@ -7,6 +7,7 @@
 
 #include "service/clock.hpp"
 #include "tests/daemon/loop/event_loop_fixture.hpp"
+#include "tests/fakes/standing_time.hpp"
 
 namespace axisd {
 namespace {
@@ -199,6 +200,7 @@ struct ManyBuses {
 };
 
 TEST_F(EventLoopTest, LooksAfterWhatIsRareInEveryTurnOfManyBusesWhoseTimerRings) {
+  const fakes::StandingTime time;
   port.polled = -1;
   loop.turn();  // nobody has looked after what is rare before
   ManyBuses many{loop};
@@ -213,15 +215,11 @@ TEST_F(EventLoopTest, LooksAfterWhatIsRareInEveryTurnOfManyBusesWhoseTimerRings)
 }
 
 TEST_F(EventLoopTest, EndsALongTurnOfManyBusesAndGoesOnWithTheNextOne) {
+  fakes::StandingTime time;
   port.polled = -1;
   loop.turn();
   ManyBuses many{loop};
-  for (RecordingStation& slow : many.stations) {
-    slow.told_time = [] {
-      const canopen::TimePoint begin = read_clock();
-      while (read_clock() - begin < EventLoop::kLongestTurn) continue;
-    };
-  }
+  for (RecordingStation& slow : many.stations) slow.told_time = [&time] { time.pass(EventLoop::kLongestTurn); };
 
   for (std::size_t told = 1; told <= many.stations.size(); ++told) {
     loop.turn();

@@ -10,6 +10,7 @@
 #include "drive/drive_unit.hpp"
 #include "os/descriptor.hpp"
 #include "tests/fakes/fake_port.hpp"
+#include "tests/fakes/standing_time.hpp"
 
 namespace axisd {
 namespace {
@@ -111,7 +112,12 @@ struct Many {
   EventLoop loop;
 };
 
-TEST(JointTurns, FinishWhenTheStepsAreMadeOfAllThatGoTogether) {
+/// All the time that turns take.
+class JointTurns : public testing::Test {
+  fakes::StandingTime time_;
+};
+
+TEST_F(JointTurns, FinishWhenTheStepsAreMadeOfAllThatGoTogether) {
   Many many{6};
 
   many.loop.turn();
@@ -122,7 +128,7 @@ TEST(JointTurns, FinishWhenTheStepsAreMadeOfAllThatGoTogether) {
                     "3 finishes", "3 is over", "4 finishes", "4 is over", "5 finishes", "5 is over"}));
 }
 
-TEST(JointTurns, DoNotWaitWhereNothingIsShared) {
+TEST_F(JointTurns, DoNotWaitWhereNothingIsShared) {
   Many many{5};
   many.stations[1].shares = false;
 
@@ -133,7 +139,7 @@ TEST(JointTurns, DoNotWaitWhereNothingIsShared) {
                                  "3 is over", "steps of 1", "4 finishes", "4 is over"}));
 }
 
-TEST(JointTurns, SendTheSameAsByThemselves) {
+TEST_F(JointTurns, SendTheSameAsByThemselves) {
   Many together{7};
   Many alone{7, false};
 
@@ -145,7 +151,7 @@ TEST(JointTurns, SendTheSameAsByThemselves) {
   EXPECT_EQ(together.sent(), alone.sent());
 }
 
-TEST(JointTurns, AreForMoreThanAFewBuses) {
+TEST_F(JointTurns, AreForMoreThanAFewBuses) {
   Many few{PortWatch::kFew};
 
   few.loop.turn();
@@ -154,7 +160,7 @@ TEST(JointTurns, AreForMoreThanAFewBuses) {
             (Events{"0 time", "0 is over", "1 time", "1 is over", "2 time", "2 is over", "3 time", "3 is over"}));
 }
 
-TEST(JointTurns, GoOnWithoutALinkThatIsLostInOneOfThem) {
+TEST_F(JointTurns, GoOnWithoutALinkThatIsLostInOneOfThem) {
   Many many{5};
   const os::Descriptor readable{::eventfd(1, EFD_CLOEXEC)};
   many.ports[1].polled = readable.get();
