@@ -11,12 +11,18 @@ namespace gateway {
 
 /// Answers of several, put together when the last of them has come.
 class Gathering : public std::enable_shared_from_this<Gathering> {
+  /// Lets make() construct one, in the memory of its owners: were there none for them behind it, it would tell
+  /// before anybody has a place.
+  struct OfMake {};
+
  public:
   using Answers = std::vector<Answer>;
 
+  Gathering(OfMake, std::function<void(Answers)> on_all) noexcept : on_all_{std::move(on_all)} {}
+
   /// @p on_all gets the answers in the order in which place() was called.
   [[nodiscard]] static std::shared_ptr<Gathering> make(std::function<void(Answers)> on_all) {
-    return std::shared_ptr<Gathering>{new Gathering{std::move(on_all)}};
+    return std::make_shared<Gathering>(OfMake{}, std::move(on_all));
   }
   Gathering(const Gathering&) = delete;
   Gathering& operator=(const Gathering&) = delete;
@@ -32,8 +38,6 @@ class Gathering : public std::enable_shared_from_this<Gathering> {
   }
 
  private:
-  explicit Gathering(std::function<void(Answers)> on_all) : on_all_{std::move(on_all)} {}
-
   std::function<void(Answers)> on_all_;
   Answers answers_;
 };

@@ -28,6 +28,11 @@ std::string faults_text(const device::Device& device) {
   return text;
 }
 
+/// Above the speed at which its drive switches off, whatever turns it.
+bool is_too_fast(const drive::Axis& axis) noexcept {
+  return axis.block<drive::SpeedMessages>().has_overspeed();
+}
+
 /// What the supply has brought less what it has taken (J).
 double supplied_to(const SimulatedUnit& unit) noexcept {
   const motor::SupplyEnergies& supply = unit.instance().device().unit().dc_link().energies();
@@ -55,15 +60,28 @@ void StoredSets::on_event(const SimulatedUnit& unit, const axisd::UnitEvent& eve
                 unit.disk().contents_given(unit.parameter_file()).size()};
 }
 
+void EnabledAgain::on_calm(canopen::TimePoint now) {
+  for (AwaitedAxes& awaited : awaited_) awaited.since = now;
+}
+
+void EnabledAgain::on_full_bus(canopen::Duration lasting) {
+  for (AwaitedAxes& awaited : awaited_)
+    if (awaited.since != canopen::kNever) awaited.since += lasting;
+}
+
 void EnabledAgain::on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t) {
-  if (now < calm_) return;
+  auto& [since, missing] = awaited_[unit.number()];
+  if (now < since) return;
   const device::Device& device = unit.instance().device();
-  auto& missing = missing_[unit.number()];
-  const auto axes = static_cast<unsigned>(device.unit().axes().size());
-  if (!missing) missing = (1U << axes) - 1;
-  for (unsigned axis = 1; axis <= axes && *missing != 0; ++axis)
-    if (device.view(axis).state == drive::State::OperationEnabled) *missing &= ~(1U << (axis - 1));
-  if (*missing == 0 || now - calm_ <= kLongest) return;
+  const auto axes = device.unit().axes();
+  if (!missing) missing = (1U << axes.size()) - 1;
+  if (*missing == 0) return;
+  for (unsigned axis = 1; axis <= axes.size(); ++axis) {
+    const std::uint32_t bit = 1U << (axis - 1);
+    if (device.view(axis).state == drive::State::OperationEnabled) *missing &= ~bit;
+    if ((*missing & bit) != 0 && is_too_fast(axes[axis - 1])) since = now;
+  }
+  if (*missing == 0 || now - since <= kLongest) return;
   const auto first = static_cast<unsigned>(std::countr_zero(*missing)) + 1;
   break_rule(unit.number(), now,
              fmt::format("axis {} is in {}{}", first, name_of(device.view(first).state), faults_text(device)));
@@ -71,10 +89,11 @@ void EnabledAgain::on_turn(const SimulatedUnit& unit, canopen::TimePoint now, st
 
 /// A unit that has no turn any more is missed too.
 void EnabledAgain::on_end(canopen::TimePoint now) {
-  if (calm_ == canopen::kNever || now - calm_ <= kLongest) return;
-  for (std::size_t unit = 0; unit < missing_.size(); ++unit)
-    if (!missing_[unit] || *missing_[unit] != 0)
+  for (std::size_t unit = 0; unit < awaited_.size(); ++unit) {
+    const auto& [since, missing] = awaited_[unit];
+    if (since != canopen::kNever && now - since > kLongest && (!missing || *missing != 0))
       break_rule(unit, now, "not all axes have come to Operation enabled");
+  }
 }
 
 void NoAllocation::on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t allocated) {

@@ -21,27 +21,29 @@ class StoredSets final : public UnitJudge<SeenSets> {
   void on_event(const SimulatedUnit& unit, const axisd::UnitEvent& event) override;
 };
 
-/// When the faults are over, every axis comes to Operation enabled within kLongest, in which the bus has room: one
-/// that is full gives none to those with high identifiers.
+struct AwaitedAxes {
+  canopen::TimePoint since = canopen::kNever;
+  /// Bit n: axis n + 1 has not been there yet.
+  std::optional<std::uint32_t> missing{};
+};
+/// When the faults are over, every axis comes to Operation enabled within kLongest, in which the bus has room (one
+/// that is full gives none to those with high identifiers) and no shaft is faster than its drive allows: what a
+/// load has turned so fast keeps F07901 until friction has slowed it down.
 class EnabledAgain final : public Judge {
  public:
   /// A guarded node has to be missed, the unit to start, faults to be acknowledged, up to eight motors to be
   /// magnetised one behind the other.
   static constexpr canopen::Duration kLongest = std::chrono::seconds{7};
 
-  explicit EnabledAgain(std::string_view rule, std::size_t units) : Judge{rule}, missing_(units) {}
+  explicit EnabledAgain(std::string_view rule, std::size_t units) : Judge{rule}, awaited_(units) {}
 
   void on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t allocated) override;
-  void on_calm(canopen::TimePoint now) override { calm_ = now; }
-  void on_full_bus(canopen::Duration lasting) override {
-    if (calm_ != canopen::kNever) calm_ += lasting;
-  }
+  void on_calm(canopen::TimePoint now) override;
+  void on_full_bus(canopen::Duration lasting) override;
   void on_end(canopen::TimePoint now) override;
 
  private:
-  canopen::TimePoint calm_ = canopen::kNever;
-  /// Bit n: axis n + 1 has not been there yet.
-  std::vector<std::optional<std::uint32_t>> missing_;
+  std::vector<AwaitedAxes> awaited_;
 };
 
 /// A unit that runs allocates nothing.
