@@ -53,18 +53,19 @@ void AllUnits::ask() const {
   const std::vector<std::string> names = daemons_.units();
   std::vector<std::string> hosts;
   for (const std::string& name : names) hosts.push_back(daemons_.host_of(name));
-  const auto gathering = Gathering::make([shared = shared_, names, hosts](const Gathering::Answers& answers) {
-    json units = json::array();
-    for (std::size_t at = 0; at < names.size(); ++at) {
-      json& unit = units.emplace_back(overview_of(names[at], answers[at]));
-      if (!hosts[at].empty()) unit["host"] = hosts[at];
-    }
-    shared->text = std::make_shared<const std::string>(json_text({{"units", std::move(units)}}) + '\n');
-    shared->since = os::monotonic_time();
-    shared->is_asking = false;
-    for (const std::shared_ptr<Exchange>& exchange : std::exchange(shared->waiting, {}))
-      exchange->answer(Response{.shared_body = shared->text});
-  });
+  const auto gathering =
+      Gathering::make(names.size(), [shared = shared_, names, hosts](const Gathering::Answers& answers) {
+        json units = json::array();
+        for (std::size_t at = 0; at < names.size(); ++at) {
+          json& unit = units.emplace_back(overview_of(names[at], answers[at]));
+          if (!hosts[at].empty()) unit["host"] = hosts[at];
+        }
+        shared->text = std::make_shared<const std::string>(json_text({{"units", std::move(units)}}) + '\n');
+        shared->since = os::monotonic_time();
+        shared->is_asking = false;
+        for (const std::shared_ptr<Exchange>& exchange : std::exchange(shared->waiting, {}))
+          exchange->answer(Response{.shared_body = shared->text});
+      });
   for (const std::string& name : names)
     daemons_.find(name).value()->ask("status", {{"unit", name}}, gathering->place());
 }

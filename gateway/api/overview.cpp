@@ -38,7 +38,7 @@ json daemon_of(json result, const std::string& path) {
 void answer_units(const std::shared_ptr<Exchange>& exchange, const Daemons& daemons) {
   std::vector<std::string> paths;
   for (const DaemonClient* const client : daemons.clients()) paths.push_back(client->path());
-  const auto gathering = Gathering::make([exchange, paths](const Gathering::Answers& answers) {
+  const auto gathering = Gathering::make(paths.size(), [exchange, paths](const Gathering::Answers& answers) {
     json result{{"units", json::array()}, {"daemons", json::array()}};
     for (std::size_t at = 0; at < answers.size(); ++at) {
       if (!answers[at] || !answers[at]->is_object() || !answers[at]->contains("units")) continue;
@@ -56,13 +56,14 @@ void answer_metrics(const std::shared_ptr<Exchange>& exchange, const Daemons& da
   std::vector<std::string> hosts;
   for (const std::string& name : names) hosts.push_back(daemons.host_of(name));
   const std::string own = own_metrics(counters, daemons.clients().size(), names.size());
-  const auto gathering = Gathering::make([exchange, names, hosts, own](Gathering::Answers answers) {
-    std::vector<UnitSample> units;
-    for (std::size_t at = 0; at < names.size(); ++at)
-      units.push_back(
-          {names[at], answers[2 * at].value_or(nullptr), answers[2 * at + 1].value_or(nullptr), hosts[at]});
-    exchange->answer(Response{.body = exposition(units) + own, .content_type = kExpositionType});
-  });
+  const auto gathering =
+      Gathering::make(2 * names.size(), [exchange, names, hosts, own](Gathering::Answers answers) {
+        std::vector<UnitSample> units;
+        for (std::size_t at = 0; at < names.size(); ++at)
+          units.push_back(
+              {names[at], answers[2 * at].value_or(nullptr), answers[2 * at + 1].value_or(nullptr), hosts[at]});
+        exchange->answer(Response{.body = exposition(units) + own, .content_type = kExpositionType});
+      });
   for (const std::string& name : names)
     for (const std::string_view method : {"status", "metrics"})
       daemons.find(name).value()->ask(method, {{"unit", name}}, gathering->place());
