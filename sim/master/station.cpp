@@ -19,6 +19,7 @@ constexpr std::int64_t kQuickest = 20, kSlowest = 400;  // us
 void Station::Wait::await_suspend(std::coroutine_handle<> waiting) {
   waiting_ = waiting;
   station_.waits_.push_back(this);
+  station_.due_ = std::min(station_.due_, until_);
 }
 
 Station::Station(hub::Medium& medium, std::string_view name, Draw draw)
@@ -42,12 +43,17 @@ void Station::receive(const hub::Passage& passage) noexcept {
   const Uncounted uncounted;
   const canopen::TimePoint at = medium_.now() + std::chrono::microseconds{draw_.between(kQuickest, kSlowest)};
   heard_.push_back({bus::from_wire(passage.frame), heard_.empty() ? at : std::max(at, heard_.back().at)});
+  due_ = std::min(due_, heard_.back().at);
 }
 
 canopen::TimePoint Station::next_deadline() const noexcept {
+  return due_ == canopen::kNever ? due_ : std::max(due_, stalled_until_);
+}
+
+canopen::TimePoint Station::earliest() const noexcept {
   canopen::TimePoint next = heard_.empty() ? canopen::kNever : heard_.front().at;
   for (const Wait* const wait : waits_) next = std::min(next, wait->until_);
-  return next == canopen::kNever ? next : std::max(next, stalled_until_);
+  return next;
 }
 
 void Station::hear(const canopen::Frame& frame) {
@@ -76,6 +82,7 @@ void Station::turn(canopen::TimePoint now) {
     if ((*each)->until_ <= now_) over.splice(over.end(), waits_, each);
   }
   for (Wait* const wait : over) wait->waiting_.resume();
+  due_ = earliest();
 }
 
 }  // namespace sim

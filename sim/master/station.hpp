@@ -76,6 +76,7 @@ class Station : private hub::Participant {
   [[nodiscard]] hub::Identity identity() const noexcept override { return identity_; }
 
   void hear(const canopen::Frame& frame);
+  canopen::TimePoint earliest() const noexcept;
 
   hub::Medium& medium_;
   hub::Identity identity_;
@@ -84,6 +85,7 @@ class Station : private hub::Participant {
   canopen::TimePoint stalled_until_{};
   std::deque<Heard> heard_;
   std::list<Wait*> waits_;
+  canopen::TimePoint due_ = canopen::kNever;  ///< earliest() of these two
 };
 
 }  // namespace sim
