@@ -56,9 +56,15 @@ def identifiers(client, seconds):
     return found
 
 
-def check_cyclic(client):
-    """Cyclic messages come neither in a burst nor late: the time for so many of them has passed."""
+def drained(client):
+    """Since when frames may wait that are read from now on: what came before is no burst."""
     begin = time.monotonic()
+    client.drain()
+    return begin
+
+
+def check_cyclic(client, begin):
+    """Cyclic messages come neither in a burst nor late: the time for so many of them has passed since BEGIN."""
     seen = []
     while min(seen.count(0x700 + NODE), seen.count(0x180 + NODE)) < WATCHED:
         assert time.monotonic() < begin + ANSWER + WATCHED * PERIOD, f'{len(seen)} frames in {time.monotonic() - begin:.1f} s'
@@ -74,8 +80,8 @@ def write(client, command, index, sub_index, value):
     assert answers and answers[0][1][0] == 0x60, f'{index:04X}: {answers}'
 
 
-def check_step(folder, client, gateway, value):
-    check_cyclic(client)
+def check_step(folder, client, gateway, begin, value):
+    check_cyclic(client, begin)
     folder.output_of('axisctl', 'set', RAMP_UP_TIME, str(value))
     write(client, 0x23, 0x1010, 1, SAVE)
     assert gateway.request('GET', '/api/v1/units')[0] == 200
@@ -102,13 +108,13 @@ def play(arguments, folder):
     gateway = Gateway(folder)
     gateway.unit()
     make_cyclic(client)
-    check_cyclic(client)
+    check_cyclic(client, drained(client))
     lost = 0
     for step in range(1, arguments.steps + 1):
-        client.drain()  # what came meanwhile is no burst behind the step
+        begin = drained(client)
         done = set_clock(draw)
         try:
-            check_step(folder, client, gateway, step)
+            check_step(folder, client, gateway, begin, step)
         except (AssertionError, subprocess.CalledProcessError) as error:
             lost += 1
             print(f'step {step}, {done}: {error}', flush=True)

@@ -55,6 +55,13 @@ def is_up(program, pattern, longest=5):
     return False
 
 
+def comes_up(run, program, pattern):
+    """is_up(); where no call fails, it is."""
+    up = is_up(program, pattern)
+    assert up or run.kind, program.text
+    return up
+
+
 def end(program):
     """Ends PROGRAM if it runs; its exit status and what it has written."""
     if program.process.poll() is None:
@@ -82,13 +89,14 @@ def with_axisd(run, master):
 
     unit = run.start('axisd', *unit_options(run))
     kept = None
-    if is_up(unit, 'ready: node 5|is down'):
+    if comes_up(run, unit, 'ready: node 5|is down'):
         master.ask(0x2B, 0x1017, 0, 200)
         answer = master.ask(0x23, 0x1010, 1, SAVE)
         kept = answer is not None and answer[0] == 0x60
         axisctl = subprocess.run([os.path.join(run.arguments.bin, 'axisctl'), '--socket', run.folder.path('axisd.sock'), 'status'],
                                  env=run.folder.environment, capture_output=True, text=True, timeout=programs.PATIENCE)
         assert axisctl.returncode >= 0, axisctl
+        assert run.kind or (kept and axisctl.returncode == 0), f'saved {kept}, {axisctl}'
     status, said = end(unit)
 
     last = run.start('axisd', *unit_options(run), fails=False)
@@ -103,30 +111,46 @@ def with_canhub(run, _):
     """Two members, of which one hears what the other says, and the status."""
     path = run.folder.path('hub')
     hub = run.start('canhub', '--path', path)
-    if is_up(hub, 'ready'):
+    if comes_up(run, hub, 'ready'):
         environment = dict(run.folder.environment, CAN_BUS=path)
         with_can = [os.path.join(run.arguments.bin, 'with-can'), '--bus', path, '--']
-        for frame in '123#11', '124#22':
-            subprocess.run([*with_can, 'cansend', 'vcan0', frame], env=environment, capture_output=True, timeout=programs.PATIENCE)
-        subprocess.run([os.path.join(run.arguments.bin, 'canhub'), '--status', '--path', path], env=environment, capture_output=True,
-                       timeout=programs.PATIENCE)
+        listener = subprocess.Popen([*with_can, 'candump', '-L', '-n', '1', '-T', '2000', 'vcan0'], env=environment, stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL, text=True)
+        while listener.poll() is None:
+            subprocess.run([*with_can, 'cansend', 'vcan0', '123#11'], env=environment, capture_output=True, timeout=programs.PATIENCE)
+            time.sleep(0.01)
+        status = subprocess.run([os.path.join(run.arguments.bin, 'canhub'), '--status', '--path', path], env=environment,
+                                capture_output=True, text=True, timeout=programs.PATIENCE)
+        heard = listener.communicate()[0]
+        assert run.kind or ('123#11' in heard and status.returncode == 0), f'heard "{heard}", {status}'
     return end(hub)
 
 
+def answer_of(port, path):
+    """The status of the answer to a GET of PATH; nothing if there is none."""
+    try:
+        with socket.create_connection(('127.0.0.1', port), ANSWER) as connection:
+            connection.settimeout(ANSWER)
+            connection.sendall(f'GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n'.encode())
+            with connection.makefile('rb') as answer:
+                words = answer.read().split(b' ', 2)
+                return int(words[1]) if len(words) > 1 else None
+    except OSError:
+        return None
+
+
 def with_gateway(run, _):
-    """A unit, the gateway before it, and some requests."""
+    """A unit, the gateway before it, and some requests. A gateway that goes on answers the next one."""
     unit = run.start('axisd', *unit_options(run), fails=False)
     unit.expect('ready: node 5')
     gateway = run.start('axisd-http', '--listen', '127.0.0.1:0')
-    if is_up(gateway, r'http://[\d.]+:(\d+)'):
+    if comes_up(run, gateway, r'http://[\d.]+:(\d+)'):
         port = int(re.search(r'http://[\d.]+:(\d+)', gateway.text)[1])
-        for path in ('/api/v1/units', '/', '/metrics', '/nothing'):
+        found = [answer_of(port, path) for path in ('/api/v1/units', '/', '/metrics', '/nothing')]
+        assert run.kind or found == [200, 200, 200, 404], found
+        if not any(answer_of(port, '/metrics') == 200 for _ in range(2)):  # the call that fails may be one of the first
             try:
-                with socket.create_connection(('127.0.0.1', port), ANSWER) as connection:
-                    connection.settimeout(ANSWER)
-                    connection.sendall(f'GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n'.encode())
-                    while connection.recv(65536):
-                        pass
-            except OSError:
-                pass
+                gateway.process.wait(ANSWER)
+            except subprocess.TimeoutExpired as late:
+                raise AssertionError(f'it goes on, has answered {found}, and then nothing') from late
     return end(gateway)

@@ -137,14 +137,14 @@ class Unit:
         self.file = pathlib.Path(run.folder.path('state/line1-5/parameters.bin'))
 
     def has_saved(self):
-        """Has it save; False if it does not serve, or ends."""
+        """Has it save; False if it does not serve, or ends, or the save has failed."""
         try:
             client = control_client.ControlClient(self.control, ANSWER)
             client.call('parameter.write', parameter=PARAMETER, value=VALUE)
             client.call('store')
-            while not is_kept(client.call('store.status')):
+            while (status := client.call('store.status'))['is_saving']:
                 time.sleep(0.01)
-            return True
+            return is_kept(status)
         except (OSError, ValueError, control_client.ControlError):  # it is not there, or not on its bus yet
             return False
 

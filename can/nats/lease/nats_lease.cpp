@@ -81,7 +81,7 @@ struct NatsLease::Store {
     if (!session) return tl::unexpected{session.error()};
     auto values = open_bucket(session->js.get(), bus.bucket());
     if (!values) return tl::unexpected{values.error()};
-    return std::make_unique<Store>(*std::move(session), *std::move(values));
+    return std::make_unique<Store>(Store{*std::move(session), *std::move(values)});
   }
 };
 
