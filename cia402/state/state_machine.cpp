@@ -78,7 +78,7 @@ Outcome StateMachine::stop(StopCause cause, const OptionCodes& codes) noexcept {
     return {.action = Action::Brake, .braking = row.braking};
   }
   Outcome outcome = take_pulses_off(true);
-  if (state_ == row.end || !is_on_power(state_)) return outcome;
+  if (state_ == row.end) return outcome;
   const Event over = cause == StopCause::QuickStop ? Event::QuickStopOver : Event::FaultReactionOver;
   const Transition& passed = *find_transition(state_, over);
   state_ = passed.to;

@@ -43,7 +43,7 @@ constexpr std::array kReactionEvents{
 
 /// Whether an axis that was switched on by jog is still so in @p state.
 bool keeps_jogging(State state) noexcept {
-  return state == State::ReadyToSwitchOn || state == State::SwitchedOn || state == State::OperationEnabled;
+  return state == State::SwitchedOn || state == State::OperationEnabled;
 }
 
 }  // namespace

@@ -121,6 +121,15 @@ constexpr std::array kCommands{
     CommandRow{0x000F, 0x000F, E::EnableOperation},
 };
 
+/// The command that bits 0 to 3 of a controlword are.
+constexpr std::array<Event, 16> kCommandOf = [] {
+  std::array<Event, 16> table{};
+  for (std::size_t word = 0; word < table.size(); ++word)
+    for (const CommandRow& row : kCommands)
+      if ((word & row.mask) == row.value) table[word] = row.command;
+  return table;
+}();
+
 constexpr std::size_t index(State state) {
   return static_cast<std::size_t>(state);
 }
@@ -176,9 +185,7 @@ static_assert(
 }  // namespace
 
 Event command_of(std::uint16_t controlword) noexcept {
-  for (const CommandRow& row : kCommands)
-    if ((controlword & row.mask) == row.value) return row.command;
-  return Event::DisableVoltage;
+  return kCommandOf[controlword & 0x000FU];
 }
 
 const Transition* find_transition(State state, Event event) noexcept {

@@ -17,8 +17,6 @@ class UnitJudge : public Judge {
 
  protected:
   Seen& seen(const SimulatedUnit& unit) noexcept { return seen_[unit.number()]; }
-  /// Of all units, by number.
-  std::vector<Seen>& seen() noexcept { return seen_; }
 
  private:
   std::vector<Seen> seen_;

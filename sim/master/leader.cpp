@@ -61,15 +61,12 @@ void Leader::command_node(std::uint8_t command) noexcept {
 
 Task<Done> Leader::lead() {
   while (true) {
-    enabled_since_.reset();
     consumes_heartbeat_ = false;
     const bool is_enabled = co_await prepare();
-    if (is_enabled) {
-      enabled_since_ = now();
+    if (is_enabled)
       co_await work();
-    } else {
+    else
       co_await sleep(milliseconds{draw().between(20, 200)});
-    }
   }
 }
 

@@ -32,7 +32,6 @@ class Leader final : public Station {
   Leader(hub::Medium& medium, std::string_view name, const LeaderPlan& plan, canopen::TimePoint calm);
 
   /// Since when all its axes are in Operation enabled, as it has read; nothing: they are not.
-  [[nodiscard]] std::optional<canopen::TimePoint> enabled_since() const noexcept { return enabled_since_; }
 
  private:
   void on_frame(const canopen::Frame& frame) noexcept override;
@@ -70,7 +69,6 @@ class Leader final : public Station {
   canopen::TimePoint heard_{};  ///< the last heartbeat
   bool consumes_heartbeat_ = false;
   std::int32_t target_ = 0;  ///< of axis 1, by RPDO
-  std::optional<canopen::TimePoint> enabled_since_{};
 };
 
 }  // namespace sim

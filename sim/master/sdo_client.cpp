@@ -14,16 +14,12 @@ constexpr std::uint8_t kAbort = 0x80, kToggle = 0x10;
 constexpr std::uint8_t kInitiateUpload = 0x40, kUploadSegment = 0x60;
 constexpr std::uint8_t kInitiateDownload = 0x20, kDownloaded = 0x60, kSegmentDownloaded = 0x20;
 constexpr std::uint8_t kExpedited = 0x02, kSized = 0x01, kLast = 0x01;
+constexpr std::uint32_t kNoAnswer = 0x0504'0000;  // the code of an abort: SDO protocol timed out
 constexpr std::size_t kExpeditedMost = 4, kSegmentMost = 7;
 
 std::array<std::uint8_t, 8> request_of(std::uint8_t command, SdoObject object) noexcept {
   return {command, static_cast<std::uint8_t>(object.index & 0xFF), static_cast<std::uint8_t>(object.index >> 8),
           object.sub_index};
-}
-
-std::uint32_t number_in(const std::array<std::uint8_t, 8>& data) noexcept {
-  return static_cast<std::uint32_t>(data[4]) | static_cast<std::uint32_t>(data[5]) << 8U |
-         static_cast<std::uint32_t>(data[6]) << 16U | static_cast<std::uint32_t>(data[7]) << 24U;
 }
 
 bool is_of(const std::array<std::uint8_t, 8>& answer, const std::array<std::uint8_t, 8>& request) noexcept {
@@ -57,15 +53,13 @@ Task<SdoClient::Answer> SdoClient::exchange(Data request, canopen::Duration long
     return !initiates || is_of(frame.data, request);
   };
   const bool has_come = co_await station_.wait_for(is_answer, longest);
-  if (!has_come) co_return tl::unexpected{SdoFailure{}};
-  if (answer[0] == kAbort) co_return tl::unexpected{SdoFailure{number_in(answer)}};
+  if (!has_come || answer[0] == kAbort) co_return tl::unexpected{SdoFailure{}};
   co_return answer;
 }
 
 void SdoClient::abort(SdoObject object) noexcept {
   Data data = request_of(kAbort, object);
-  for (unsigned i = 0; i < 4; ++i)
-    data[4 + i] = static_cast<std::uint8_t>(SdoFailure::kNoAnswer >> 8U * i & 0xFFU);
+  for (unsigned i = 0; i < 4; ++i) data[4 + i] = static_cast<std::uint8_t>(kNoAnswer >> 8U * i & 0xFFU);
   station_.send({.id = kSdoRequest + node_id_, .length = 8, .data = data});
 }
 

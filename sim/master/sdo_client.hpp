@@ -11,12 +11,8 @@
 
 namespace sim {
 
-/// Why a transfer has come to nothing: the abort code of the server or, of one that did not answer as it has to,
-/// kNoAnswer.
-struct SdoFailure {
-  static constexpr std::uint32_t kNoAnswer = 0x0504'0000;
-  std::uint32_t code = kNoAnswer;
-};
+/// A transfer has come to nothing: the server has aborted it, or did not answer as it has to.
+struct SdoFailure {};
 
 /// The object of a transfer.
 struct SdoObject {

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include "injection/json/fault_json.hpp"
+#include "injection/kinds/bus_kinds.hpp"
+#include "injection/kinds/unit_kinds.hpp"
 #include "sim/plan/fault_kinds.hpp"
 #include "sim/plan/world_plan.hpp"
 
@@ -65,13 +68,28 @@ FaultPlan fault_of(const json& said) {
           .words = said.value("words", std::string{})};
 }
 
+/// What keeps @p fault from being one of a world of so many @p units.
+std::string objection_to(const FaultPlan& fault, std::size_t units) {
+  if (fault.unit >= units) return fmt::format("there is no unit {}", fault.unit);
+  const FaultKind* const kind = find_fault_kind(fault.kind);
+  if (kind == nullptr) return fmt::format("there is no kind \"{}\"", fault.kind);
+  if (kind->source != FaultKind::Source::None) {
+    const bool is_of_bus = kind->source == FaultKind::Source::Bus;
+    const auto said =
+        injection::read_fault_words(fault.words, is_of_bus ? injection::bus_kinds() : injection::unit_kinds());
+    if (!said) return fmt::format("words \"{}\": {}", fault.words, said.error().message());
+  }
+  if (fault.number < kind->low || fault.number > kind->high)
+    return fmt::format("number of {}: expected {} to {}, got {}", kind->name, kind->low, kind->high, fault.number);
+  return {};
+}
+
 /// What keeps @p plan from being one.
 std::string objection_to(const WorldPlan& plan) {
   if (plan.units.empty()) return "units: expected one at least";
-  for (const FaultPlan& fault : plan.faults) {
-    if (fault.unit >= plan.units.size()) return fmt::format("faults: there is no unit {}", fault.unit);
-    if (find_fault_kind(fault.kind) == nullptr) return fmt::format("faults: there is no kind \"{}\"", fault.kind);
-  }
+  for (const FaultPlan& fault : plan.faults)
+    if (const std::string objection = objection_to(fault, plan.units.size()); !objection.empty())
+      return "faults: " + objection;
   return {};
 }
 

@@ -34,10 +34,12 @@ std::optional<WorldPlan> with_less_axes(const WorldPlan& plan, std::size_t numbe
   return less;
 }
 
+/// Of a master.
+constexpr std::array kHabits{&UnitPlan::is_intruded, &UnitPlan::is_guarded, &UnitPlan::restarts, &UnitPlan::stores,
+                             &UnitPlan::by_rpdo};
+
 std::optional<WorldPlan> with_calmer_master(const WorldPlan& plan, std::size_t number, std::size_t habit) {
-  constexpr std::array kHabits{&UnitPlan::is_intruded, &UnitPlan::is_guarded, &UnitPlan::restarts,
-                               &UnitPlan::stores, &UnitPlan::by_rpdo};
-  if (habit >= kHabits.size() || !(plan.units[number].*kHabits[habit])) return std::nullopt;
+  if (!(plan.units[number].*kHabits[habit])) return std::nullopt;
   WorldPlan less = plan;
   less.units[number].*kHabits[habit] = false;
   return less;
@@ -59,14 +61,13 @@ bool take(WorldPlan& plan, std::optional<WorldPlan> smaller, const Fails& fails)
 
 /// One round over all that can be left out.
 bool shrink_once(WorldPlan& plan, const Fails& fails) {
-  constexpr std::size_t kHabits = 5;
   bool is_smaller = take(plan, without_sync(plan), fails);
   for (std::size_t i = plan.units.size(); i-- > 0;)
     if (i < plan.units.size()) is_smaller |= take(plan, without_unit(plan, i), fails);
   for (std::size_t i = plan.faults.size(); i-- > 0;) is_smaller |= take(plan, without_fault(plan, i), fails);
   for (std::size_t i = 0; i < plan.units.size(); ++i) {
     while (take(plan, with_less_axes(plan, i), fails)) is_smaller = true;
-    for (std::size_t habit = 0; habit < kHabits; ++habit)
+    for (std::size_t habit = 0; habit < kHabits.size(); ++habit)
       is_smaller |= take(plan, with_calmer_master(plan, i, habit), fails);
   }
   return is_smaller;

@@ -56,6 +56,10 @@ void judge(Options& options, const CLI::App& app, const Words& words) {
   }
   if (!options.plan.empty() && app.count("--seed") + app.count("--seeds") + app.count("--first") != 0)
     throw UsageError{"--plan: says the whole world, expected no seed beside it"};
+  if (!options.plan.empty() && options.prints_plan)
+    throw UsageError{"--print-plan: prints that of a seed, expected no --plan beside it"};
+  if (!options.log.empty() && options.seeds > 1)
+    throw UsageError{"--log: holds one world, expected --seed or --plan beside it"};
   if (words.log_level.empty()) return;
   options.log_level = axisd::level_named(words.log_level);
   if (!options.log_level)

@@ -110,6 +110,23 @@ TEST(Jog, HandsOverToOn) {
   EXPECT_FALSE(drive.axis.jogs());
 }
 
+TEST(Jog, TakesOverAnAxisThatBrakesOnOff1) {
+  WiredAxis drive;
+  ASSERT_TRUE(drive.axis.write(1121, 7.2));  // 1000 rpm a second
+  ASSERT_TRUE(drive.axis.write(1058, 100.0));
+  drive.turn_at(1000.0);
+  drive.inputs.on = false;
+  drive.run(0.1);
+  ASSERT_EQ(drive.state(), State::Off1Braking);
+
+  drive.inputs.jog_1 = true;
+  drive.cycles(1);
+  EXPECT_EQ(drive.state(), State::OperationEnabled);
+  EXPECT_TRUE(drive.axis.jogs());
+  drive.run(2.0);
+  EXPECT_NEAR(drive.rpm(), 100.0, 2.0);
+}
+
 TEST(ControlByPlc, BrakesOnOff1WhenItIsWithdrawnInOperation) {
   WiredAxis drive;
   ASSERT_TRUE(drive.axis.write(1121, 7.2));  // 1000 rpm a second

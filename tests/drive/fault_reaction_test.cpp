@@ -118,6 +118,25 @@ TEST(Stop2, EndsInFaultWithEveryOff) {
   }
 }
 
+TEST(Stop2, IsNotAcknowledgedBeforeItsSetpointIsAtRestTooThoughTheShaftStands) {
+  TestAxis drive{{.load = {.inertia = 0.05}}};
+  ASSERT_TRUE(drive.axis.write(1135, 3.6));  // 2000 rpm a second
+  drive.turn_at(1000.0);
+  set_reaction(drive.axis, 7860, 5);
+  ASSERT_TRUE(drive.axis.raise(7860));
+  drive.axis.set_load_torque(80.0, motor::LoadTorqueType::Friction);  // more than the motor has
+
+  drive.run(0.3);
+  ASSERT_NEAR(drive.rpm(), 0.0, 1.0);
+  ASSERT_GT(drive.demand_rpm(), 200.0);
+  EXPECT_FALSE(drive.axis.acknowledge()) << "it still brakes";
+  EXPECT_EQ(drive.state(), State::Stop2Active);
+  drive.run(0.4);
+
+  EXPECT_TRUE(drive.axis.acknowledge());
+  EXPECT_EQ(drive.state(), State::SwitchOnDisabled);
+}
+
 struct Pair {
   const char* name;
   std::uint16_t first, second;

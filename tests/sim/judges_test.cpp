@@ -162,6 +162,46 @@ TEST_F(Judges, AnAxisThatIsNotEnabledIsMissed) {
   EXPECT_EQ(broken(judge), "not all axes have come to Operation enabled");
 }
 
+TEST_F(Judges, AnAxisThatDoesNotComeToOperationEnabledIsMissed) {
+  unit().instance().device().raise(1, 7011, 0, now());
+  EnabledAgain judge{"", 1};
+  judge.on_calm(now());
+  judge.on_full_bus(seconds{1});  // time in which it could not
+  judge.on_turn(unit(), now() + seconds{1} + EnabledAgain::kLongest, 0);
+  EXPECT_EQ(broken(judge), "");
+  judge.on_turn(unit(), now() + seconds{2} + EnabledAgain::kLongest, 0);
+  EXPECT_EQ(broken(judge), "axis 1 is in Fault, F07011 of drive object 2");
+}
+
+TEST_F(Judges, AChangeOfStateThatNoTransitionMakesIsSeen) {
+  WorldPlan plan = plan_;
+  plan.units[0].configuration["profile"] = "cia402";
+  World world{plan, log_};
+  DriveTransitions judge{"", 1};
+  const auto event = [](drive::State from, drive::State to) {
+    return axisd::UnitEvent{.kind = record::EventKind::DriveState,
+                            .axis = 1,
+                            .number = static_cast<std::uint16_t>(to),
+                            .text = name_of(to),
+                            .text_before = name_of(from)};
+  };
+  judge.on_event(world.unit(0), event(drive::State::SwitchOnDisabled, drive::State::ReadyToSwitchOn));
+  EXPECT_EQ(broken(judge), "");
+  judge.on_event(world.unit(0), event(drive::State::SwitchOnDisabled, drive::State::OperationEnabled));
+  EXPECT_EQ(broken(judge), "axis 1: Switch on disabled -> Operation enabled");
+}
+
+TEST_F(Judges, EnergyThatNobodyHasIsSeen) {
+  World world{plan_, log_};
+  EnergyBalance judge{"", 1};
+  judge.on_cycle(world.unit(0), world.now());
+  judge.on_cycle(world.unit(0), world.now());
+  EXPECT_EQ(broken(judge), "");
+  world.run();  // of whose steps it is not told
+  judge.on_cycle(world.unit(0), world.now());
+  EXPECT_TRUE(broken(judge).ends_with("J are nowhere")) << broken(judge);
+}
+
 TEST_F(Judges, AnAllocationIsSeen) {
   NoAllocation judge{"", 1};
   judge.on_turn(unit(), now(), 0);

@@ -46,9 +46,14 @@ TEST(WorldPlan, IsRefusedWithAReason) {
       read_plan(R"({"units": [{"configuration": {}}], "faults": [{"kind": "power.cut", "at_ms": 1, "unit": 1}]})")
           .error(),
       "faults: there is no unit 1");
-  EXPECT_EQ(
-      read_plan(R"({"units": [{"configuration": {}}], "faults": [{"kind": "power.gone", "at_ms": 1}]})").error(),
-      "faults: there is no kind \"power.gone\"");
+  const auto with_fault = [](const std::string& fault) {
+    return read_plan(R"({"units": [{"configuration": {}}], "faults": [{"at_ms": 1, )" + fault + "}]}").error();
+  };
+  EXPECT_EQ(with_fault(R"("kind": "power.gone")"), "faults: there is no kind \"power.gone\"");
+  EXPECT_EQ(with_fault(R"("kind": "drive.load", "number": 13)"),
+            "faults: number of drive.load: expected -12 to 12, got 13");
+  EXPECT_EQ(with_fault(R"("kind": "bus", "words": "bus.drop times=x")").rfind("faults: words \"bus.drop", 0), 0U);
+  EXPECT_NE(with_fault(R"("kind": "unit", "words": "bus.drop")"), "");
   EXPECT_FALSE(read_plan("{"));
   EXPECT_FALSE(read_plan("[]"));
 }

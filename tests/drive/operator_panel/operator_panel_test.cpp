@@ -137,6 +137,24 @@ TEST(AnOperatorPanel, GivesBackToAnOnThatNeedsAnEdge) {
   EXPECT_EQ(wired.state(kX), State::OperationEnabled);
 }
 
+TEST(AnOperatorPanel, LeavesAnOnThatOff2OrOff3TakesAway) {
+  for (const int off : {0x000D, 0x000B}) {  // OFF2, OFF3; ON is still there
+    PanelUnit wired;
+    wired.turn_at(300.0);
+    wired.receives(kX, 0, 0x000F);
+    EXPECT_TRUE(wired.panel().give_back());
+    wired.cycles(250);
+    ASSERT_EQ(wired.state(kX), State::ReadyToSwitchOn);
+    ASSERT_TRUE(wired.has(kOnIsPresent));
+
+    wired.WiredUnit::command(kX, static_cast<std::uint16_t>(off));
+    EXPECT_EQ(wired.state(kX), State::SwitchOnDisabled) << off;
+    EXPECT_FALSE(wired.has(kOnIsPresent)) << off;
+    wired.WiredUnit::command(kX, 0x000F);
+    EXPECT_EQ(wired.state(kX), State::SwitchOnDisabled) << "ON needs an edge all the same";
+  }
+}
+
 TEST(AnOperatorPanel, LeadsTheSpeedInTorqueControlToo) {
   PanelUnit wired;
   wired.set(kX, 1501, true);
