@@ -29,7 +29,7 @@ while (($#)); do
     --eds) target=eds ;;
     --records) target=records ;;
     --modbus) target=modbus ;;
-    --reader) target=readers; FUZZ_READER=${2:-}; export FUZZ_READER; shift ;;
+    --reader) [[ ${2:-} ]] || misuse "--reader needs a name"; target=readers; FUZZ_READER=$2; export FUZZ_READER; shift ;;
     *) misuse "unknown option $1; usage: fuzz.sh [--eds | --records | --modbus | --reader NAME] [--minutes N | --runs N] [--jobs N] [--fast] [--keep]" ;;
   esac
   shift

@@ -24,15 +24,15 @@ import failing_dialogues
 import failing_farm
 import programs
 
-KINDS = re.findall(r'X\((\w+)\)', open(os.path.join(os.path.dirname(__file__), '../support/failing_calls.h'),
-                                       encoding='ascii').read())[1:]
+HEADER = open(os.path.join(os.path.dirname(__file__), '../support/failing_calls.h'), encoding='ascii').read()
+KINDS = re.findall(r'X\((\w+)\)', HEADER)[1:]
 ERRORS = {'open': errno.EMFILE, 'read': errno.EIO, 'write': errno.ENOSPC, 'short_write': 0, 'fsync': errno.EIO,
           'rename': errno.EIO, 'unlink': errno.EACCES, 'mkdir': errno.EACCES, 'socket': errno.EMFILE, 'bind': errno.EADDRINUSE,
           'listen': errno.EADDRINUSE, 'connect': errno.ECONNREFUSED, 'accept': errno.EMFILE, 'send': errno.ENOBUFS,
           'receive': errno.ENOMEM, 'epoll': errno.ENOMEM, 'wait': errno.EINTR, 'timer': errno.EMFILE, 'eventfd': errno.EMFILE,
           'map': errno.ENOMEM, 'thread': errno.EAGAIN, 'spawn': errno.EAGAIN, 'pipe': errno.EMFILE, 'inotify': errno.ENOSPC,
           'memory': errno.ENOMEM}
-SIZE_OF_COUNTS = 4096
+SIZE_OF_COUNTS = int(re.search(r'FAILING_CALLS_FILE_SIZE (\d+)', HEADER)[1])
 # With what each is talked to, made of the folder of the programs, and the dialogue.
 DIALOGUES = {'axisd': (failing_dialogues.Master, failing_dialogues.with_axisd),
              'canhub': (contextlib.nullcontext, failing_dialogues.with_canhub),

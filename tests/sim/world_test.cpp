@@ -69,12 +69,19 @@ TEST(World, RepeatsItselfBitForBit) {
 
 TEST(World, CutsPowerAndFindsTheSavedSetAgain) {
   WorldPlan plan = quiet_plan();
-  plan.length = std::chrono::seconds{12};
-  plan.calm = std::chrono::seconds{4};
-  for (int i = 0; i < 6; ++i)
+  plan.length = std::chrono::seconds{20};
+  plan.calm = std::chrono::seconds{12};
+  for (int i = 1; i <= 6; ++i)
     plan.faults.push_back({.kind = "power.cut",
-                           .at = std::chrono::milliseconds{500 + 500 * i},
+                           .at = std::chrono::milliseconds{1900 * i},
                            .lasting = std::chrono::milliseconds{50}});
+  WorldPlan until_the_last = plan;
+  until_the_last.length = plan.faults.back().at - std::chrono::milliseconds{1};
+  {
+    World world{until_the_last, log()};
+    world.run();
+    EXPECT_FALSE(world.unit(0).disk().contents_given(world.unit(0).parameter_file()).empty()) << "nothing to find";
+  }
   const WorldRun result = run_world(plan);
   EXPECT_FALSE(result.breach) << text_of(result.breach);
   EXPECT_EQ(result.counts.power_ons, 7U);

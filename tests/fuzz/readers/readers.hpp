@@ -59,6 +59,8 @@ std::vector<std::string> made_control();
 std::vector<std::string> made_http();
 std::vector<std::string> made_hub();
 std::vector<std::string> made_frames();
+/// Whether @p text is a configuration.
+bool takes_configuration(std::string_view text);
 /// All inputs that @p reader begins with.
 std::vector<std::string> inputs_of(const ReaderRow& reader);
 

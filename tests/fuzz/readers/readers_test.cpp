@@ -2,9 +2,14 @@
 // changed.
 #include "tests/fuzz/readers/readers.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "control/methods.hpp"
+#include "control/protocol.hpp"
+#include "control/request_check.hpp"
 
 namespace fuzz {
 namespace {
@@ -35,6 +40,20 @@ TEST_P(Reader, KeepsItsRulesWhenBytesAreOthers) {
       input[random() % input.size()] = static_cast<char>(random());
     ASSERT_EQ(broken(input), "") << "input " << i;
   }
+}
+
+TEST(ReaderOfConfigurations, BeginsWithSomeThatAreTaken) {
+  for (const std::string& text : made_configurations()) EXPECT_TRUE(takes_configuration(text)) << text;
+}
+
+TEST(ReaderOfRequests, BeginsWithSomeThatAreTaken) {
+  const std::vector<std::string> lines = made_control();
+  for (const char* const name : {"parameter.read", "parameter.write", "object.read", "inject.add"})
+    EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
+      const auto request = control::parse_request(line);
+      return request && request->method == name &&
+             control::check(*control::find_method(name), request->params, 1).has_value();
+    })) << name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Reader, testing::ValuesIn(readers().begin(), readers().end()),

@@ -89,8 +89,8 @@ std::vector<std::string> made_control() {
   }
   lines.push_back(R"({"id":1,"method":"parameter.read","params":{"axis":1,"parameters":["p0304","r0063"]}})");
   lines.push_back(R"({"id":1,"method":"parameter.write","params":{"axis":1,"parameter":"p1120","value":2.5}})");
-  lines.push_back(R"({"id":1,"method":"object.read","params":{"object":"1018.1"}})");
-  lines.push_back(R"({"id":1,"method":"inject","params":{"fault":"sdo.late by_ms=5"}})");
+  lines.push_back(R"({"id":1,"method":"object.read","params":{"index":"1018","sub_index":1}})");
+  lines.push_back(R"({"id":1,"method":"inject.add","params":{"kind":"sdo.late","delay_ms":5}})");
   return lines;
 }
 

@@ -1,4 +1,7 @@
 // Texts that people write: what is refused is refused with one line that names the file.
+#include <fstream>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,17 +19,28 @@ namespace {
 
 constexpr const char* kFile = "unit.json";
 constexpr const char* kMotorFile = "./motor.json";
+constexpr const char* kPreset = "1fk7063";
 
-/// One motor file, and nothing else.
+/// That of an axis of which no other one is said.
+std::string usual_motor() {
+  std::ifstream file{SOURCE_FOLDER "/motors/1fk7063.json"};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+/// One motor file, the usual one, and nothing else.
 class OneMotor final : public axisd::MotorSource {
  public:
   explicit OneMotor(std::string_view text) : text_{text} {}
 
   std::string path_from(const std::string&, const std::string& name) const override { return name; }
-  std::optional<std::string> find_preset(const std::string&) const override { return std::nullopt; }
-  std::set<std::string> presets() const override { return {"none"}; }
+  std::optional<std::string> find_preset(const std::string& name) const override {
+    return name == kPreset ? std::optional<std::string>{kPreset} : std::nullopt;
+  }
+  std::set<std::string> presets() const override { return {kPreset}; }
   tl::expected<std::string, std::string> read(const std::string& path) const override {
-    if (path == kMotorFile && !text_.empty()) return std::string{text_};
+    static const std::string kUsual = usual_motor();
+    if (path == kPreset) return kUsual;
+    if (path == kMotorFile) return text_.empty() ? kUsual : std::string{text_};
     return tl::unexpected{path + ": cannot be read: No such file or directory"};
   }
 
@@ -51,6 +65,10 @@ std::string names_a_file(std::string_view message, std::initializer_list<std::st
 }
 
 }  // namespace
+
+bool takes_configuration(std::string_view text) {
+  return refusal(text, "").empty();
+}
 
 std::string read_configuration(Input input) {
   const std::string message = refusal(text_of(input), "");
@@ -98,10 +116,10 @@ std::string read_plan(Input input) {
 std::vector<std::string> made_configurations() {
   return {
       R"({"node_id": 5, "axes": [{}]})",
-      R"({"node_id": 3, "bitrate": 500000, "axes": [{"type": "vector", "motor": "./motor.json", "load": {"inertia": 0.01}}]})",
-      R"({"profile": "cia402", "node_id": 1, "axes": [{}, {}], "parameters": [{"name": "p0304", "axis": 1, "value": 400}]})",
-      R"({"threads": 2, "units": [{"node_id": 1, "axes": [{}]}, {"node_id": 2, "axes": [{}, {}], "inject": ["sdo.late by_ms=5"]}]})",
-      R"({"node_id": 9, "axes": [{}], "trace": {"signals": ["1/r0063"], "samples": 100}, "record": {"folder": "x"}, "modbus": {"port": 1502}})",
+      R"({"node_id": 3, "interface": "vcan1", "axes": [{"type": "vector", "motor": "./motor.json", "load": {"inertia": 0.01, "gear": [7, 3]}}]})",
+      R"({"profile": "cia402", "node_id": 1, "axes": [{}, {"load": {"friction": {"coulomb": 0.1}, "torque": [1, {"type": "fan", "coefficient": 1e-4}]}}]})",
+      R"({"threads": 2, "units": [{"node_id": 1, "axes": [{"parameters": {"p1120": 2.5}}]}, {"node_id": {"from": 2, "to": 9}, "axes": [{}, {}], "inject": [{"kind": "sdo.late", "delay_ms": 5}]}]})",
+      R"({"node_id": 9, "axes": [{"positioner": true}], "trace": {"signals": ["1/r0063"], "samples": 100}, "record": {"name": "x"}, "modbus": {"port": 1502}})",
   };
 }
 
