@@ -46,8 +46,8 @@ TEST(StorageImage, PassesOverWhatIsNoLongerSaved) {
   std::vector<std::byte> image = saved(unit);
   // In the place of p1300: p1910, which is a command.
   const std::array before{std::byte{0x14}, std::byte{0x05}, std::byte{0}, static_cast<std::byte>(DataType::I16)};
-  const auto place = std::ranges::search(image, before);
-  ASSERT_FALSE(place.empty());
+  const auto place = std::search(image.begin(), image.end(), before.begin(), before.end());
+  ASSERT_NE(place, image.end());
   place[0] = std::byte{0x76}, place[1] = std::byte{0x07};
   seal(image);
 

@@ -200,7 +200,7 @@ TEST(Wiring, BringsMessagesToTheControlUnit) {
        {std::pair{2106, 7860}, std::pair{2107, 7861}, std::pair{2108, 7862}, std::pair{2112, 7850}}) {
     WiredUnit wired;
     const FaultMemory& messages = wired.unit.object(kUnit)->messages();
-    const auto active = [&] { return number == 7850 ? messages.alarms() : messages.faults(); };
+    const auto active = [&, message = number] { return message == 7850 ? messages.alarms() : messages.faults(); };
     wired.cycles();
     ASSERT_TRUE(active().empty());
 
