@@ -54,8 +54,9 @@ of_product() {
   tail -n 3 "$folder/unit.log" "$folder/bus.log" | grep 'tests passed'
   llvm-profdata-14 merge -sparse -o "$folder/all.profdata" "$folder/raw"
   local objects=()
-  mapfile -t objects < <(find "$folder" -name '*.a' -not -path '*/tests/*' -printf '-object\n%p\n'; find "$folder/bin" -maxdepth 1 -type f -executable -printf '-object\n%p\n')
-  llvm-cov-14 export -format=lcov -instr-profile "$folder/all.profdata" -ignore-filename-regex '/(tests|usr|build|bench)/' \
+  mapfile -t objects < <(find "$bin" "${bin%/tests}" -maxdepth 1 -type f -executable -printf '-object\n%p\n')
+  # Sources are named from the folder of the build on: build/ is part of every name.
+  llvm-cov-14 export -format=lcov -instr-profile "$folder/all.profdata" -ignore-filename-regex '/(tests|usr|bench)/' \
     "${objects[@]:1}" >"$folder/lcov" 2>"$folder/export.log"
   scripts/coverage-report "$root" "$folder/lcov" "$folder/unreached"
   [[ ! $lines ]] || cat "$folder/unreached"
