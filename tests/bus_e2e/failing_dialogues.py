@@ -40,8 +40,8 @@ class Master(Client):
         return struct.unpack('<H', answer[4:6])[0] if answer and answer[0] == 0x4B else None
 
 
-def is_up(program, pattern, longest=5):
-    """Whether PROGRAM has written PATTERN; not if it has ended before."""
+def is_up(program, pattern, longest):
+    """Whether PROGRAM has written PATTERN within LONGEST s; not if it has ended before."""
     end = time.monotonic() + longest
     os.set_blocking(program.process.stderr.fileno(), False)
     while time.monotonic() < end:
@@ -57,7 +57,7 @@ def is_up(program, pattern, longest=5):
 
 def comes_up(run, program, pattern):
     """is_up(); where no call fails, it is."""
-    up = is_up(program, pattern)
+    up = is_up(program, pattern, 5 if run.kind else programs.PATIENCE)
     assert up or run.kind, program.text
     return up
 
