@@ -113,7 +113,7 @@ TEST(RampScaling, HasTheUnitOfTheVelocity) {
     for (const auto& [index, parameter] :
          {std::pair{0x6083, 1120}, std::pair{0x6084, 1121}, std::pair{0x6085, 1135}}) {
       const auto object = static_cast<std::uint16_t>(index);
-      const auto time = [&] { return unit.parameter(static_cast<std::uint16_t>(parameter)); };
+      const auto time = [&, number = static_cast<std::uint16_t>(parameter)] { return unit.parameter(number); };
       ASSERT_EQ(unit.download(object, 0, 600, 4), 0U);
       EXPECT_NEAR(time(), 5.0, 1e-5);
       EXPECT_EQ(unit.upload(object).number(), 600U);

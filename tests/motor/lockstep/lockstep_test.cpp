@@ -53,10 +53,10 @@ class LockstepKind : public testing::TestWithParam<KindParameters> {};
 
 TEST_P(LockstepKind, IsTheSameToTheLastBit) {
   const auto [type, mode, shape] = GetParam();
+  const Case kind{type, mode, shape};
   for_all_variants([&](const LaneVariant& variant) {
     for (std::uint64_t stream = 0; stream < 4; ++stream)
-      expect_same(std::vector<Case>(static_cast<std::size_t>(2 + 2 * stream), Case{type, mode, shape}), stream,
-                  variant, 150);
+      expect_same(std::vector<Case>(static_cast<std::size_t>(2 + 2 * stream), kind), stream, variant, 150);
   });
 }
 
