@@ -111,6 +111,12 @@ void SimulatedUnit::plan_turn() noexcept {
       wanted == canopen::kNever ? wanted : wanted + std::chrono::microseconds{draw_.between(kQuickest, kSlowest)};
 }
 
+void SimulatedUnit::refresh() noexcept {
+  if (!instance_) return;
+  const canopen::TimePoint deadline = std::max(instance_->bus().next_deadline(), site_.time.now());
+  if (deadline < wake_ - std::chrono::microseconds{kSlowest}) plan_turn();
+}
+
 void SimulatedUnit::turn() noexcept {
   const canopen::TimePoint now = site_.time.now();
   const std::uint64_t allocated = allocations.count;

@@ -59,6 +59,8 @@ class SimulatedUnit final : private PortListener, private axisd::InstanceListene
   [[nodiscard]] canopen::TimePoint next_deadline() const noexcept;
   /// Its program has the processor.
   void turn() noexcept;
+  /// Something beside its turns may have changed what it waits for, see axisd::EventLoop::refresh().
+  void refresh() noexcept;
 
   [[nodiscard]] std::size_t number() const noexcept { return number_; }
   [[nodiscard]] std::uint8_t node_id() const noexcept { return static_cast<std::uint8_t>(configuration_.node_id); }

@@ -17,13 +17,17 @@ constexpr double kLineVoltage = 400.0;
 template <class Act>
 void at_drive(World& world, const FaultPlan& fault, Act act) {
   SimulatedUnit& unit = world.unit(fault.unit);
-  if (unit.is_on()) act(unit.instance(), world.now());
+  if (!unit.is_on()) return;
+  act(unit.instance(), world.now());
+  unit.refresh();
 }
 
 void begin_unit_fault(World& world, const FaultPlan& fault) {
   SimulatedUnit& unit = world.unit(fault.unit);
   const auto said = injection::read_fault_words(fault.words, injection::unit_kinds());
-  if (said && unit.is_on()) static_cast<void>(unit.instance().faults().add(*said));  // it may have no such PDO
+  if (!said || !unit.is_on()) return;
+  static_cast<void>(unit.instance().faults().add(*said));  // it may have no such PDO
+  unit.refresh();
 }
 
 void begin_at_drive(World& world, const FaultPlan& fault, FaultAction action) {
