@@ -112,6 +112,10 @@ std::string waiting_text(P p) {
 bool has_goal_velocity(P p) noexcept {
   return positioner(p).travel().goal().velocity > 0.0;
 }
+/// In a block WAIT, which is to stand.
+bool waits_in_block(P p) noexcept {
+  return positioner(p).blocks().is_waiting();
+}
 
 constexpr std::array kReasons{
     Reason{700, kOperation, [](P p) { return positions(p) && !inputs(p).position_valid; },
@@ -157,15 +161,19 @@ constexpr std::array kReasons{
                                 wiring_of(p.axis, 2646), mode_text(p));
            }},
     Reason{755, kOperation,
-           [](P p) { return has_task(p) && !has_goal_velocity(p) && !is_zero(inputs(p).velocity_override); },
+           [](P p) {
+             return has_task(p) && !has_goal_velocity(p) && !waits_in_block(p) &&
+                    !is_zero(inputs(p).velocity_override);
+           },
            [](P p) {
              return fmt::format("The velocity of {} is 0 (r2672; MDI: {}).", mode_text(p),
                                 wiring_of(p.axis, 2643));
            }},
     Reason{760, kOperation,
            [](P p) {
-             return has_task(p) && positioner(p).travel().is_still() && has_goal_velocity(p) &&
-                    !positioner(p).travel().is_interrupted() && !is_zero(inputs(p).velocity_override);
+             return has_task(p) && positioner(p).travel().is_still() &&
+                    (has_goal_velocity(p) || waits_in_block(p)) && !positioner(p).travel().is_interrupted() &&
+                    !is_zero(inputs(p).velocity_override);
            },
            waiting_text},
 };
