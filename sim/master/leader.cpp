@@ -118,6 +118,8 @@ Task<bool> Leader::configure() {
   const auto heartbeat = co_await sdo_.write({0x1017}, plan_.heartbeat_ms, 2);
   if (!heartbeat) co_return false;
   const bool has_pdo = co_await configure_pdo();
+  // A frame that was damaged may have put a COB-ID into another PDO: what was not saved is gone then.
+  if (!has_pdo && is_calm()) command_node(kResetCommunication);
   if (!has_pdo) co_return false;
   command_node(kStart);
   co_await sleep(kNmtTime);

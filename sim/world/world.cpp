@@ -152,6 +152,7 @@ void World::calm_down() {
   for (std::size_t i = 0; i < units_.size(); ++i) {
     switch_on(i);
     units_[i]->instance().faults().remove_all();
+    units_[i]->refresh();
   }
   for (const auto& judge : judges_) judge->on_calm(time_.now());
 }
