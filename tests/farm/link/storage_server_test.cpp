@@ -133,11 +133,14 @@ TEST_F(WatchTest, OfAnEmptyBucketTellsThatItWasAll) {
   EXPECT_EQ(told_, Told{"all"});
 }
 
+/// A bucket keeps the last value of a key: who is told late is not told of those before.
 TEST_F(WatchTest, TellsChangesAsTheyCome) {
   wait_until_told(1);
   put("a.1", "one");
+  wait_until_told(2);
   put("b.1", "not watched");
   put("a.1", "two");
+  wait_until_told(3);
   remove("a.1");
   wait_until_told(4);
 
