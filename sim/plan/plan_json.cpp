@@ -3,6 +3,7 @@
 #include "injection/json/fault_json.hpp"
 #include "injection/kinds/bus_kinds.hpp"
 #include "injection/kinds/unit_kinds.hpp"
+#include "json/strict.hpp"
 #include "sim/plan/fault_kinds.hpp"
 #include "sim/plan/world_plan.hpp"
 
@@ -72,12 +73,12 @@ FaultPlan fault_of(const json& said) {
 std::string objection_to(const FaultPlan& fault, std::size_t units) {
   if (fault.unit >= units) return fmt::format("there is no unit {}", fault.unit);
   const FaultKind* const kind = find_fault_kind(fault.kind);
-  if (kind == nullptr) return fmt::format("there is no kind \"{}\"", fault.kind);
+  if (kind == nullptr) return fmt::format("there is no kind {}", json_text::quote(fault.kind));
   if (kind->source != FaultKind::Source::None) {
     const bool is_of_bus = kind->source == FaultKind::Source::Bus;
     const auto said =
         injection::read_fault_words(fault.words, is_of_bus ? injection::bus_kinds() : injection::unit_kinds());
-    if (!said) return fmt::format("words \"{}\": {}", fault.words, said.error().message());
+    if (!said) return fmt::format("words {}: {}", json_text::quote(fault.words), said.error().message());
   }
   if (fault.number < kind->low || fault.number > kind->high)
     return fmt::format("number of {}: expected {} to {}, got {}", kind->name, kind->low, kind->high, fault.number);

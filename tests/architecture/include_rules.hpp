@@ -253,7 +253,7 @@ inline constexpr std::array kLayers{
            "sim/base/", "sim/disk/", "sim/wire/", "fmt/"}},
     Layer{"sim/master", {"can/hub/", "can/port/", "libcanopen/base/", "sim/base/", "sim/wire/"}},
     Layer{"sim/plan",
-          {"injection/json/", "injection/kinds/", "libcanopen/base/", "sim/base/", "nlohmann/", "fmt/"}},
+          {"injection/json/", "injection/kinds/", "json/", "libcanopen/base/", "sim/base/", "nlohmann/", "fmt/"}},
     Layer{"sim/judges", {"daemon/watch/", "drive/sequence_control/", "libcanopen/base/", "sim/unit/", "fmt/"}},
     Layer{"sim/world",
           {"can/hub/", "daemon/configuration/", "daemon/program/motor_folders.hpp", "injection/json/",

@@ -50,6 +50,8 @@ TEST(WorldPlan, IsRefusedWithAReason) {
     return read_plan(R"({"units": [{"configuration": {}}], "faults": [{"at_ms": 1, )" + fault + "}]}").error();
   };
   EXPECT_EQ(with_fault(R"("kind": "power.gone")"), "faults: there is no kind \"power.gone\"");
+  EXPECT_EQ(with_fault(R"("kind": "pow\rer.off")"), R"(faults: there is no kind "pow\rer.off")")
+      << "no control character";
   EXPECT_EQ(with_fault(R"("kind": "drive.load", "number": 13)"),
             "faults: number of drive.load: expected -12 to 12, got 13");
   EXPECT_EQ(with_fault(R"("kind": "bus", "words": "bus.drop times=x")").rfind("faults: words \"bus.drop", 0), 0U);
