@@ -52,6 +52,7 @@ void AllUnits::answer(const std::shared_ptr<Exchange>& exchange) {
 void AllUnits::ask() const {
   const std::vector<std::string> names = daemons_.units();
   std::vector<std::string> hosts;
+  hosts.reserve(names.size());
   for (const std::string& name : names) hosts.push_back(daemons_.host_of(name));
   const auto gathering =
       Gathering::make(names.size(), [shared = shared_, names, hosts](const Gathering::Answers& answers) {

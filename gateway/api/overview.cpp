@@ -54,6 +54,7 @@ void answer_units(const std::shared_ptr<Exchange>& exchange, const Daemons& daem
 void answer_metrics(const std::shared_ptr<Exchange>& exchange, const Daemons& daemons, const Counters& counters) {
   const std::vector<std::string> names = daemons.units();
   std::vector<std::string> hosts;
+  hosts.reserve(names.size());
   for (const std::string& name : names) hosts.push_back(daemons.host_of(name));
   const std::string own = own_metrics(counters, daemons.clients().size(), names.size());
   const auto gathering =

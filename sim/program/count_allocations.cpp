@@ -4,6 +4,8 @@
 
 #include "sim/base/allocations.hpp"
 
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): this is what stands behind new and delete
+
 namespace {
 
 void* try_to_allocate(std::size_t size) noexcept {
@@ -75,3 +77,4 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
+// NOLINTEND(cppcoreguidelines-no-malloc)

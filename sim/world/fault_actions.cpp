@@ -1,5 +1,6 @@
 #include "sim/world/fault_actions.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "injection/json/fault_json.hpp"
@@ -12,6 +13,18 @@ namespace {
 
 constexpr std::array<std::uint16_t, 6> kMessages{7011, 7900, 30002, 30003, 30005, 31100};
 constexpr double kLineVoltage = 400.0;
+
+/// What a disk does that fails at an operation.
+struct DiskAction {
+  FaultAction action;
+  DiskFailure failure;
+};
+constexpr std::array kDiskActions{
+    DiskAction{FaultAction::PowerCutAtWrite, DiskFailure::PowerCut},
+    DiskAction{FaultAction::DiskFull, DiskFailure::NoSpace},
+    DiskAction{FaultAction::DiskError, DiskFailure::InputError},
+    DiskAction{FaultAction::ShortWrite, DiskFailure::ShortWrite},
+};
 
 /// On axis 1, if the unit is on.
 template <class Act>
@@ -61,6 +74,8 @@ void begin_fault(World& world, const FaultPlan& fault) {
   SimulatedUnit& unit = world.unit(fault.unit);
   const auto nth = static_cast<std::uint64_t>(fault.number);
   const canopen::TimePoint end = world.now() + fault.lasting;
+  const auto* const at_disk = std::ranges::find(kDiskActions, action, &DiskAction::action);
+  if (at_disk != kDiskActions.end()) return unit.disk().fail(at_disk->failure, nth);
   switch (action) {
     case FaultAction::BusFault:
       static_cast<void>(world.bus_faults().inject(fault.words, world.now()));
@@ -69,8 +84,6 @@ void begin_fault(World& world, const FaultPlan& fault) {
       return begin_unit_fault(world, fault);
     case FaultAction::PowerCut:
       return unit.cut_power();
-    case FaultAction::PowerCutAtWrite:
-      return unit.disk().fail(DiskFailure::PowerCut, nth);
     case FaultAction::SwitchOff:
       return unit.switch_off();
     case FaultAction::Stall:
@@ -83,19 +96,10 @@ void begin_fault(World& world, const FaultPlan& fault) {
       return unit.set_error_state(bus::ErrorState::BusOff);
     case FaultAction::ErrorPassive:
       return unit.set_error_state(bus::ErrorState::Passive);
-    case FaultAction::DiskFull:
-      return unit.disk().fail(DiskFailure::NoSpace, nth);
-    case FaultAction::DiskError:
-      return unit.disk().fail(DiskFailure::InputError, nth);
-    case FaultAction::ShortWrite:
-      return unit.disk().fail(DiskFailure::ShortWrite, nth);
     case FaultAction::DiskUnreadable:
       unit.cut_power();
       return unit.disk().fail_reads(static_cast<unsigned>(nth));
-    case FaultAction::Message:
-    case FaultAction::Encoder:
-    case FaultAction::Load:
-    case FaultAction::LineVoltage:
+    default:
       return begin_at_drive(world, fault, action);
   }
 }
