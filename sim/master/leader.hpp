@@ -31,8 +31,6 @@ class Leader final : public Station {
   /// them there.
   Leader(hub::Medium& medium, std::string_view name, const LeaderPlan& plan, canopen::TimePoint calm);
 
-  /// Since when all its axes are in Operation enabled, as it has read; nothing: they are not.
-
  private:
   void on_frame(const canopen::Frame& frame) noexcept override;
 
