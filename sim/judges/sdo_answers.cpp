@@ -54,11 +54,10 @@ void SdoAnswers::on_taken(const SimulatedUnit& unit, const canopen::Frame& frame
   SeenSdoServer& server = seen(unit);
   const unsigned command = command_of(frame);
   const bool is_block = command == kBlockDownload || command == kBlockUpload;
-  if (is_block || (command == kAbortCommand && server.owed != 0)) return forget(unit, now);
+  if (is_block || (command == kAbortCommand && server.owed + server.put_off != 0)) return forget(unit, now);
   if (command == kAbortCommand) return;
-  ++server.owed;
+  ++(unit.instance().device().is_saving() ? server.put_off : server.owed);
   server.asked = now;
-  server.is_put_off |= unit.instance().device().is_saving();
 }
 
 void SdoAnswers::on_sent(const SimulatedUnit& unit, const canopen::Frame& frame, canopen::TimePoint now) {
@@ -66,17 +65,20 @@ void SdoAnswers::on_sent(const SimulatedUnit& unit, const canopen::Frame& frame,
   if (!unit.instance().faults().is_empty()) return forget(unit, now);
   SeenSdoServer& server = seen(unit);
   const bool ends_by_itself = frame.data[0] == kAbort && code_of(frame) == kTimedOut;
-  if (server.owed == 0 && now >= server.known_from && !ends_by_itself)
+  if (server.owed + server.put_off == 0 && now >= server.known_from && !ends_by_itself)
     break_rule(unit.number(), now, fmt::format("an answer to nothing: {:02X}h", frame.data[0]));
-  server.owed = server.is_put_off || server.owed == 0 ? 0 : server.owed - 1;
-  server.is_put_off = false;
+  unsigned& of = server.owed != 0 ? server.owed : server.put_off;
+  if (of != 0) --of;
 }
 
 void SdoAnswers::on_turn(const SimulatedUnit& unit, canopen::TimePoint now, std::uint64_t) {
   SeenSdoServer& server = seen(unit);
   const axisd::Instance& instance = unit.instance();
   if (!instance.faults().is_empty() || !instance.bus().is_open()) return forget(unit, now);
-  if (instance.bus().queue().waiting() != 0) server.asked = now;  // the answer may be in front of it
+  if (instance.bus().queue().waiting() != 0)
+    server.asked = now;  // the answer may be in front of it
+  else if (!instance.device().is_saving())
+    server.put_off = 0;  // the answer of the save is out, and was theirs
   if (now < server.known_from || server.owed == 0 || now - server.asked < kLongest) return;
   break_rule(unit.number(), now,
              fmt::format("no answer to a request for {} ms", (now - server.asked).count() / 1'000'000));

@@ -7,7 +7,7 @@ namespace sim {
 struct SeenSdoServer {
   unsigned owed = 0;           ///< requests without an answer: a program may read several at once
   canopen::TimePoint asked{};  ///< the last one
-  bool is_put_off = false;     ///< a save goes on: its answer is that of what was asked meanwhile, too
+  unsigned put_off = 0;        ///< read while a save goes on, whose answer may be theirs, too: may have none
   /// Before, what is owed is not sure: the unit was tampered with, or a block transfer has begun.
   canopen::TimePoint known_from{};
 };

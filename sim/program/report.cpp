@@ -41,8 +41,8 @@ std::string list_text() {
 std::string breach_text(const WorldPlan& plan, const Outcome& outcome, std::string_view again) {
   const Breach& breach = *outcome.breach;
   return fmt::format("{}seed {}: {}\n  broken: {} at {:.6f} s, node {}: {}\n  again:  axisd-sim {}\n",
-                     outcome.last_frames, plan.seed, summary_of(plan), breach.rule, outcome.seconds,
-                     outcome.node_id, breach.text, again);
+                     outcome.last_frames, plan.seed, summary_of(plan), breach.rule,
+                     seconds_since_begin(breach.time), outcome.node_id, breach.text, again);
 }
 
 void Sums::add(const WorldPlan& plan, const Outcome& outcome) noexcept {

@@ -14,16 +14,17 @@ from hosts import Bench, Host, Server, wait_until
 URL = "nats://127.0.0.1/lab"
 
 
-def is_whole(host, cuts):
-    """Whether its bus is whole after CUTS; its log, which says that too, may leave lines out."""
-    return f"\nnats://127.0.0.1:4222/lab: whole, cut {cuts} times\n" in host.status().text
+def cuts(host):
+    """How often its bus was cut, or -1 while it is; its log, which says that too, may leave lines out."""
+    found = re.search(r"^nats://127\.0\.0\.1:4222/lab: whole, cut (\d+) times$", host.status().text, re.MULTILINE)
+    return int(found[1]) if found else -1
 
 
 def run(bench):
     server = Server(bench)
     a, b = Host(bench, "a", URL), Host(bench, "b", URL)
     for host in (a, b):
-        wait_until(lambda: is_whole(host, 0), "joined")
+        wait_until(lambda: cuts(host) >= 0, "joined")
     dump_of = {host: host.dump() for host in (a, b)}
 
     assert a.send("123#11") and b.send("456#22")
@@ -41,18 +42,19 @@ def run(bench):
     time.sleep(1)
     server.process.send_signal(signal.SIGCONT)
     for host in (a, b):
-        wait_until(lambda: is_whole(host, 1), "joined again")
+        wait_until(lambda: cuts(host) >= 1, "joined again")
     wait_until(lambda: a.send("123#44"), "a sends again")
     for host in (a, b):
         wait_until(lambda: dump_of[host].frames()[-1][2] == "44", "the frame behind the return")
 
-    # The server dies, and another one begins with nothing.
+    # The server dies, and another one begins with nothing. (A machine that has much to do may have cut the bus once more before.)
+    cuts_before = {host: cuts(host) for host in (a, b)}
     server.kill()
     wait_until(lambda: not a.send("123#55"), "sending fails while the bus is cut")
     server.forget()
     server.begin()
     for host in (a, b):
-        wait_until(lambda: is_whole(host, 2), "joined again")
+        wait_until(lambda: cuts(host) > cuts_before[host], "joined again")
     wait_until(lambda: b.send("456#66"), "b sends again")
     for host in (a, b):
         wait_until(lambda: dump_of[host].frames()[-1][2] == "66", "the frame behind the return")
@@ -60,7 +62,6 @@ def run(bench):
     seen = [[line[2] for line in dump.frames()] for dump in dump_of.values()]
     assert seen[0] == seen[1], seen
     status = a.status().text
-    assert re.search(r"^nats://127\.0\.0\.1:4222/lab: whole, cut 2 times$", status, re.MULTILINE), status
     assert re.search(rf"^\S+ \(canhub {b.hub.pid}\) +yes +\d+ +0$", status, re.MULTILINE), status
     print("one bus over two hubs, before and after the server stood still and died")
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "libcanopen/base/nmt_state.hpp"
+#include "libcanopen/storage/storage_objects.hpp"
 #include "sim/base/allocations.hpp"
 #include "sim/judges/bus_rules.hpp"
 #include "sim/judges/sdo_answers.hpp"
@@ -65,6 +66,27 @@ TEST_F(Judges, SdoAnswersAreNotMissing) {
   EXPECT_EQ(broken(judge), "");
   judge.on_turn(unit(), now() + seconds{3}, 0);
   EXPECT_EQ(broken(judge), "no answer to a request for 3000 ms");
+}
+
+TEST_F(Judges, WhatIsAskedBehindASaveIsOwedBesideItsAnswer) {
+  SdoAnswers judge{"", 1};
+  device::Device& device = unit().instance().device();
+  const auto save = frame(0x601, {0x23, 0x10, 0x10, 1, 's', 'a', 'v', 'e'});
+  const auto request = frame(0x601, {0x40, 0, 0x10, 0, 0, 0, 0, 0});
+  const auto answer = frame(0x581, {0x43, 0, 0x10, 0, 0, 0, 0, 0});
+  judge.on_taken(unit(), save, now());
+  const canopen::Entry* const entry = device.dictionary().lookup(canopen::object::kStoreParameters, 1);
+  ASSERT_TRUE(device.write_object(*entry, std::int64_t{canopen::kSaveSignature}, now()));
+  ASSERT_TRUE(device.is_saving());
+  judge.on_taken(unit(), save, now());  // again: both have one answer
+  device.on_stored(true, now());
+  judge.on_taken(unit(), request, now());
+  judge.on_sent(unit(), frame(0x581, {0x60, 0x10, 0x10, 1, 0, 0, 0, 0}), now());
+  judge.on_sent(unit(), answer, now());
+  judge.on_turn(unit(), now(), 0);
+  EXPECT_EQ(broken(judge), "");
+  judge.on_sent(unit(), answer, now());
+  EXPECT_EQ(broken(judge), "an answer to nothing: 43h");
 }
 
 axisd::UnitEvent nmt_event(canopen::NmtState from, canopen::NmtState to) {
