@@ -26,8 +26,10 @@ namespace nats {
 template <class Made>
 class Connector {
  public:
-  /// Connects, and waits up to @p patience for each answer of the server; the error is one line.
-  using Make = std::function<tl::expected<std::unique_ptr<Made>, std::string>(std::chrono::milliseconds patience)>;
+  /// A connection, or why there is none, in one line.
+  using Result = tl::expected<std::unique_ptr<Made>, std::string>;
+  /// Connects, and waits up to @p patience for each answer of the server.
+  using Make = std::function<Result(std::chrono::milliseconds patience)>;
 
   /// Begins to connect; std::system_error if the kernel gives no descriptor or thread.
   explicit Connector(Make make) : make_{std::move(make)}, bell_{::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {

@@ -33,8 +33,9 @@ std::span<const std::byte> bytes_of(natsMsg* message) noexcept {
 }  // namespace
 
 NatsStream::NatsStream(Bus bus)
-    : bus_{std::move(bus)}, connector_{[this](std::chrono::milliseconds) {
-        return reach(bus_.host, bus_.port, kReach).and_then([this] { return join(bus_, kAnswer); });
+    : bus_{std::move(bus)}, connector_{[this](std::chrono::milliseconds) -> Connector<Membership>::Result {
+        if (auto reached = reach(bus_.host, bus_.port, kReach); !reached) return tl::unexpected{reached.error()};
+        return join(bus_, kAnswer);
       }} {
   if (!ready_.add(connector_.descriptor(), EPOLLIN))
     throw std::system_error{errno, std::generic_category(), bus_.server.url};

@@ -1,6 +1,7 @@
 #include "cia402/state/option_codes.hpp"
 
 #include <array>
+#include <cassert>
 
 namespace cia402 {
 namespace {
@@ -69,8 +70,10 @@ std::span<const StopRow> stop_rows() noexcept {
 }
 
 const StopRow& stop_of(StopCause cause, const OptionCodes& codes) noexcept {
-  const StopRow* const row = find(cause, codes.of(cause));
-  return row != nullptr ? *row : *find(cause, OptionCodes{}.of(cause));
+  const StopRow* row = find(cause, codes.of(cause));
+  if (row == nullptr) row = find(cause, OptionCodes{}.of(cause));
+  assert(row != nullptr);
+  return *row;
 }
 
 }  // namespace cia402

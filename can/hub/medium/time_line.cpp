@@ -1,5 +1,6 @@
 #include "can/hub/medium/time_line.hpp"
 
+#include <cassert>
 #include <chrono>
 
 #include "can/hub/medium/bit_time.hpp"
@@ -35,6 +36,7 @@ void TimeLine::occupy(const can_frame& frame) noexcept {
 }
 
 canopen::TimePoint TimeLine::end() const noexcept {
+  assert(bit_rate_ != 0);
   return since_ + canopen::Duration{bits_ * kNanosecondsOfSecond / bit_rate_};
 }
 
