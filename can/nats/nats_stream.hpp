@@ -22,6 +22,7 @@ class NatsStream final : public hub::trunk::Stream {
   explicit NatsStream(Bus bus);
   NatsStream(const NatsStream&) = delete;
   NatsStream& operator=(const NatsStream&) = delete;
+  ~NatsStream() override = default;
 
   [[nodiscard]] int descriptor() const noexcept override { return ready_.descriptor(); }
   [[nodiscard]] State advance() noexcept override;
