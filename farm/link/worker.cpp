@@ -53,7 +53,9 @@ Link::Worker::Worker(axisd::ServiceEvents& events, const nats::Server& server, c
                },
                kMostUnsent, *this} {}
 
+/// Who is told of a job may ask for more, of a session that is still there.
 Link::Worker::~Worker() {
+  jobs_.end();
   inbox_subscription_.reset();
   subscriptions_.clear();
   drained_.clear();

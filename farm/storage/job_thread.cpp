@@ -14,7 +14,8 @@ JobThread::JobThread(nats::Server server, std::string client)
   thread_ = std::jthread{[this](const std::stop_token& stop) { work(stop); }};
 }
 
-JobThread::~JobThread() {
+void JobThread::end() {
+  if (!thread_.joinable()) return;
   set_up(false);
   drop_connection();
   thread_.request_stop();
@@ -29,6 +30,7 @@ JobThread::~JobThread() {
 }
 
 void JobThread::run(Job job, Then then) {
+  if (!thread_.joinable()) return;
   const std::scoped_lock lock{mutex_};
   tasks_.push_back({std::move(job), std::move(then)});
   wanted_.notify_all();

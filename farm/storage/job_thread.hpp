@@ -25,10 +25,12 @@ class JobThread {
   JobThread(nats::Server server, std::string client);
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
-  /// Whoever waits is told.
-  ~JobThread();
+  ~JobThread() { end(); }
 
-  /// Does @p job in its turn, then has serve() call @p then.
+  /// Ends the thread: whoever waits is told before this returns, and who comes later is not heard.
+  void end();
+
+  /// Does @p job in its turn, then has serve() call @p then; neither behind end().
   void run(Job job, Then then);
   /// Whether the server can be reached. While it cannot, jobs fail at once.
   void set_up(bool is_up);

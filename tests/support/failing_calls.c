@@ -92,7 +92,8 @@ int __libc_start_main(int (*begin_at)(int, char**, char**), int count, char** wo
    no program that uses it can help that: natsMutex_Create() for the lock of the library, whose failure it tells by
    opening itself again, or of a connection, which natsConn_release() locks; natsStrHash_Create() for an object of
    JSON, which nats_JSONDestroy() walks through; natsHash_Set() for a subscription, which is freed and then
-   delivered to; natsLib_msgDeliveryAssignWorker() for a worker, whose members are destroyed. */
+   delivered to; natsLib_msgDeliveryAssignWorker() for a worker, whose members are destroyed; js_GetLastMsg() for
+   its options and its subject, without which it destroys a buffer that it has not begun. */
 #define SPARED(name, parameters, ...)                                             \
   int name parameters {                                                           \
     ++spared;                                                                     \
@@ -104,6 +105,9 @@ SPARED(natsMutex_Create, (void** mutex), mutex)
 SPARED(natsStrHash_Create, (void** hash, int size), hash, size)
 SPARED(natsHash_Set, (void* hash, int64_t key, void* value, void** before), hash, key, value, before)
 SPARED(natsLib_msgDeliveryAssignWorker, (void* subscription), subscription)
+SPARED(js_GetLastMsg,
+       (void** message, void* js, const char* stream, const char* subject, void* options, int* code), message, js,
+       stream, subject, options, code)
 
 static int open_as(int folder, const char* path, int flags, mode_t mode) {
   if (fails(CALL_open)) return -1;

@@ -1,3 +1,6 @@
+#include <future>
+#include <memory>
+
 #include "tests/farm/link/link_fixture.hpp"
 
 namespace farm {
@@ -51,6 +54,28 @@ TEST_F(StorageTest, HasNothingUnderAnotherKeyOrOneThatWasRemoved) {
     ASSERT_TRUE(entry.has_value()) << entry.error();
     EXPECT_FALSE(entry->has_value());
   }
+}
+
+/// The bucket of a watch is made, and somebody is to be told of a job, who asks for more: nothing of it was served
+/// yet.
+TEST_F(StorageTest, TellsThoseWhoWaitWhenTheLinkGoes) {
+  auto link = std::make_unique<Link>(events_, server_.address(), "going", ear_);
+  wait_until_up(*link);
+  std::promise<void> is_done;
+  std::vector<Link::Reply> replies;
+  link->watch(
+      "other", ">", [](const Entry&) {}, [] {});
+  link->run<bool>([&is_done](Storage&) { return is_done.set_value(), true; },
+                  [&, asked = link.get()](const auto& result) {
+                    ASSERT_TRUE(result.has_value()) << result.error();
+                    asked->request("nobody", "", 1s,
+                                   [&replies](const Link::Reply& reply) { replies.push_back(reply); });
+                  });
+  is_done.get_future().wait();
+
+  link.reset();
+  ASSERT_EQ(replies.size(), 1U);
+  EXPECT_EQ(replies[0].error(), NoReply::Down);
 }
 
 TEST_F(StorageTest, TellsAllThatIsThere) {
