@@ -26,6 +26,8 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include "tests/support/spared_calls.h"
+
 extern void* __libc_malloc(size_t size);
 extern void* __libc_calloc(size_t count, size_t size);
 extern void* __libc_realloc(void* old, size_t size);
@@ -37,7 +39,7 @@ static int failing_kind = -1;
 static int wanted_kind = -1; /* from main() on */
 static uint64_t failing_number;
 static int failing_error;
-static _Thread_local int spared; /* in a place that is nobody's here, see below */
+_Thread_local int spared;
 
 #define NAME_OF(name) #name,
 static const char* const kNames[] = {FAILING_CALLS(NAME_OF)};
@@ -87,27 +89,6 @@ int __libc_start_main(int (*begin_at)(int, char**, char**), int count, char** wo
   return REAL(int, __libc_start_main, int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void),
               void (*)(void), void*)(counted_main, count, words, initialise, finish, finish_linker, stack_end);
 }
-
-/* In these, libnats 3.4 ends the program by a null pointer if it gets no memory, or waits for itself for ever, and
-   no program that uses it can help that: natsMutex_Create() for the lock of the library, whose failure it tells by
-   opening itself again, or of a connection, which natsConn_release() locks; natsStrHash_Create() for an object of
-   JSON, which nats_JSONDestroy() walks through; natsHash_Set() for a subscription, which is freed and then
-   delivered to; natsLib_msgDeliveryAssignWorker() for a worker, whose members are destroyed; js_GetLastMsg() for
-   its options and its subject, without which it destroys a buffer that it has not begun. */
-#define SPARED(name, parameters, ...)                                             \
-  int name parameters {                                                           \
-    ++spared;                                                                     \
-    const int status = ((int(*) parameters)dlsym(RTLD_NEXT, #name))(__VA_ARGS__); \
-    --spared;                                                                     \
-    return status;                                                                \
-  }
-SPARED(natsMutex_Create, (void** mutex), mutex)
-SPARED(natsStrHash_Create, (void** hash, int size), hash, size)
-SPARED(natsHash_Set, (void* hash, int64_t key, void* value, void** before), hash, key, value, before)
-SPARED(natsLib_msgDeliveryAssignWorker, (void* subscription), subscription)
-SPARED(js_GetLastMsg,
-       (void** message, void* js, const char* stream, const char* subject, void* options, int* code), message, js,
-       stream, subject, options, code)
 
 static int open_as(int folder, const char* path, int flags, mode_t mode) {
   if (fails(CALL_open)) return -1;
