@@ -23,9 +23,13 @@ constexpr std::int64_t kInactive = 5 * kSecond;
 /// Ticks without a message, heartbeats included, after which the consumer counts as gone.
 constexpr int kMostSilentTicks = 12;
 
-const char* header(natsMsg* message, const char* key) noexcept {
+/// nullptr: there is none. The library takes headers apart when it is asked; the error is that it could not.
+tl::expected<const char*, natsStatus> header(natsMsg* message, const char* key) noexcept {
   const char* value = nullptr;
-  return natsMsgHeader_Get(message, key, &value) == NATS_OK ? value : nullptr;
+  const natsStatus status = natsMsgHeader_Get(message, key, &value);
+  if (status == NATS_OK) return value;
+  if (status == NATS_NOT_FOUND) return nullptr;
+  return tl::unexpected{status};
 }
 
 std::string_view data_of(natsMsg* message) noexcept {
@@ -77,15 +81,17 @@ void Watch::on_made(std::string_view answer) {
 
 void Watch::on_message(natsMsg* message) {
   silent_ticks_ = 0;
-  if (data_of(message).empty() && header(message, "Status") != nullptr)
+  const auto status = header(message, "Status");
+  if (!status) return lose();
+  if (data_of(message).empty() && *status != nullptr)
     take_heartbeat(message);
   else
     take_entry(message);
 }
 
 void Watch::take_heartbeat(natsMsg* message) {
-  const std::string_view last =
-      header(message, "Nats-Last-Consumer") != nullptr ? header(message, "Nats-Last-Consumer") : "";
+  const char* const said = header(message, "Nats-Last-Consumer").value_or(nullptr);
+  const std::string_view last = said != nullptr ? said : "";
   std::uint64_t told = 0;
   std::from_chars(last.data(), last.data() + last.size(), told);
   if (told != told_) lose();
@@ -97,10 +103,11 @@ void Watch::take_entry(natsMsg* message) {
   const std::string front = fmt::format("$KV.{}.", bucket_);
   const std::string_view subject = natsMsg_GetSubject(message);
   if (!delivery || !subject.starts_with(front)) return;
-  if (delivery->consumer_sequence != told_ + 1) return lose();
+  const auto operation = header(message, "KV-Operation");
+  if (!operation || delivery->consumer_sequence != told_ + 1) return lose();
   ++told_;
   on_entry_({std::string{subject.substr(front.size())}, std::string{data_of(message)}, delivery->sequence,
-             header(message, "KV-Operation") != nullptr});
+             *operation != nullptr});
   if (delivery->pending == 0 && !is_complete_) tell_all();
 }
 

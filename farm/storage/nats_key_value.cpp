@@ -126,14 +126,14 @@ tl::expected<std::uint64_t, std::string> NatsKeyValue::mark_of_removal(const std
                                                                        const std::string& key) {
   natsMsg* made = nullptr;
   jsErrCode code{};
-  const natsStatus status =
+  natsStatus status =
       js_GetLastMsg(&made, js_, ("KV_" + bucket).c_str(), subject_of(bucket, key).c_str(), nullptr, &code);
   const nats::Message message{made};
+  const char* operation = nullptr;
+  if (status == NATS_OK) status = natsMsgHeader_Get(made, "KV-Operation", &operation);
   if (status == NATS_NOT_FOUND) return 0;
   if (status != NATS_OK) return fail(bucket, status);
-  const char* operation = nullptr;
-  const bool is_mark = natsMsgHeader_Get(made, "KV-Operation", &operation) == NATS_OK;
-  return is_mark ? natsMsg_GetSequence(made) : 0;
+  return natsMsg_GetSequence(made);
 }
 
 /// A key that was removed has a mark in its place, and the revision of that.
