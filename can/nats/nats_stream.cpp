@@ -8,6 +8,7 @@
 #include <sys/epoll.h>
 
 #include "can/nats/delivery.hpp"
+#include "can/nats/message.hpp"
 #include "can/nats/reach.hpp"
 
 namespace nats {
@@ -26,8 +27,7 @@ constexpr std::size_t kAtOnce = 256;
 constexpr unsigned kNothing = 0;
 
 std::span<const std::byte> bytes_of(natsMsg* message) noexcept {
-  return std::as_bytes(
-      std::span{natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))});
+  return std::as_bytes(std::span{data_of(message)});
 }
 
 }  // namespace

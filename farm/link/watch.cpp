@@ -1,13 +1,13 @@
 #include "farm/link/watch.hpp"
 
 #include <charconv>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "can/nats/delivery.hpp"
+#include "can/nats/message.hpp"
 
 namespace farm {
 
@@ -22,19 +22,6 @@ constexpr std::int64_t kHeartbeat = kSecond;
 constexpr std::int64_t kInactive = 5 * kSecond;
 /// Ticks without a message, heartbeats included, after which the consumer counts as gone.
 constexpr int kMostSilentTicks = 12;
-
-/// nullptr: there is none. The library takes headers apart when it is asked; the error is that it could not.
-tl::expected<const char*, natsStatus> header(natsMsg* message, const char* key) noexcept {
-  const char* value = nullptr;
-  const natsStatus status = natsMsgHeader_Get(message, key, &value);
-  if (status == NATS_OK) return value;
-  if (status == NATS_NOT_FOUND) return nullptr;
-  return tl::unexpected{status};
-}
-
-std::string_view data_of(natsMsg* message) noexcept {
-  return {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))};
-}
 
 }  // namespace
 
@@ -81,16 +68,16 @@ void Watch::on_made(std::string_view answer) {
 
 void Watch::on_message(natsMsg* message) {
   silent_ticks_ = 0;
-  const auto status = header(message, "Status");
+  const auto status = nats::header_of(message, "Status");
   if (!status) return lose();
-  if (data_of(message).empty() && *status != nullptr)
+  if (nats::data_of(message).empty() && *status != nullptr)
     take_heartbeat(message);
   else
     take_entry(message);
 }
 
 void Watch::take_heartbeat(natsMsg* message) {
-  const char* const said = header(message, "Nats-Last-Consumer").value_or(nullptr);
+  const char* const said = nats::header_of(message, "Nats-Last-Consumer").value_or(nullptr);
   const std::string_view last = said != nullptr ? said : "";
   std::uint64_t told = 0;
   std::from_chars(last.data(), last.data() + last.size(), told);
@@ -103,10 +90,10 @@ void Watch::take_entry(natsMsg* message) {
   const std::string front = fmt::format("$KV.{}.", bucket_);
   const std::string_view subject = natsMsg_GetSubject(message);
   if (!delivery || !subject.starts_with(front)) return;
-  const auto operation = header(message, "KV-Operation");
+  const auto operation = nats::header_of(message, "KV-Operation");
   if (!operation || delivery->consumer_sequence != told_ + 1) return lose();
   ++told_;
-  on_entry_({std::string{subject.substr(front.size())}, std::string{data_of(message)}, delivery->sequence,
+  on_entry_({std::string{subject.substr(front.size())}, std::string{nats::data_of(message)}, delivery->sequence,
              *operation != nullptr});
   if (delivery->pending == 0 && !is_complete_) tell_all();
 }

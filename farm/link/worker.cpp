@@ -9,6 +9,7 @@
 #include <sys/epoll.h>
 
 #include "can/nats/inbox.hpp"
+#include "can/nats/message.hpp"
 #include "os/clock.hpp"
 
 namespace farm {
@@ -19,10 +20,6 @@ constexpr std::uint64_t kInbox = 1;
 
 std::string_view view_of(const char* text) noexcept {
   return text != nullptr ? text : "";
-}
-
-std::string_view data_of_message(natsMsg* message) noexcept {
-  return {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))};
 }
 
 }  // namespace
@@ -141,7 +138,7 @@ void Link::Worker::on_message(std::uint64_t id, natsMsg* message) {
   if (found == subscriptions_.end() && drained == drained_.end()) return;
   const auto on_message =  // lives on if it unsubscribes
       (found != subscriptions_.end() ? found : drained)->second.on_message;
-  (*on_message)({natsMsg_GetSubject(message), view_of(natsMsg_GetReply(message)), data_of_message(message)});
+  (*on_message)({natsMsg_GetSubject(message), view_of(natsMsg_GetReply(message)), nats::data_of(message)});
 }
 
 /// The last token of the subject is the number of the request.
@@ -151,7 +148,7 @@ void Link::Worker::take_answer(natsMsg* message) {
   std::uint64_t number = 0;
   std::from_chars(token.data(), token.data() + token.size(), number);
   if (natsMsg_IsNoResponders(message)) return requests_.answer(number, tl::unexpected{NoReply::Nobody});
-  requests_.answer(number, std::string{data_of_message(message)});
+  requests_.answer(number, std::string{nats::data_of(message)});
 }
 
 void Link::Worker::on_tick() {

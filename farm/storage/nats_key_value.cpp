@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "can/nats/message.hpp"
 #include "can/nats/server.hpp"
 #include "farm/storage/storage_error.hpp"
 
@@ -126,14 +127,14 @@ tl::expected<std::uint64_t, std::string> NatsKeyValue::mark_of_removal(const std
                                                                        const std::string& key) {
   natsMsg* made = nullptr;
   jsErrCode code{};
-  natsStatus status =
+  const natsStatus status =
       js_GetLastMsg(&made, js_, ("KV_" + bucket).c_str(), subject_of(bucket, key).c_str(), nullptr, &code);
   const nats::Message message{made};
-  const char* operation = nullptr;
-  if (status == NATS_OK) status = natsMsgHeader_Get(made, "KV-Operation", &operation);
   if (status == NATS_NOT_FOUND) return 0;
   if (status != NATS_OK) return fail(bucket, status);
-  return natsMsg_GetSequence(made);
+  const auto operation = nats::header_of(made, "KV-Operation");
+  if (!operation) return fail(bucket, operation.error());
+  return *operation != nullptr ? natsMsg_GetSequence(made) : 0;
 }
 
 /// A key that was removed has a mark in its place, and the revision of that.

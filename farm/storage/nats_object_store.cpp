@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "can/nats/inbox.hpp"
+#include "can/nats/message.hpp"
 #include "farm/storage/digest.hpp"
 #include "farm/storage/storage_error.hpp"
 
@@ -73,7 +74,7 @@ tl::expected<std::optional<ObjectMeta>, std::string> NatsObjectStore::meta_of(co
   const nats::Message message{made};
   if (status == NATS_NOT_FOUND) return std::nullopt;
   if (status != NATS_OK) return fail(bucket, status);
-  auto meta = parse_object_meta({natsMsg_GetData(made), static_cast<std::size_t>(natsMsg_GetDataLength(made))});
+  auto meta = parse_object_meta(nats::data_of(made));
   if (!meta) return tl::unexpected{fmt::format("{}: what stands for the object {} is no object", bucket, name)};
   return meta;
 }
@@ -139,8 +140,7 @@ tl::expected<std::string, std::string> NatsObjectStore::read_chunks(const Object
     natsMsg* next = nullptr;
     status = natsSubscription_NextMsg(&next, made, kChunkWait);
     const nats::Message message{next};
-    if (status == NATS_OK)
-      content.append(natsMsg_GetData(next), static_cast<std::size_t>(natsMsg_GetDataLength(next)));
+    if (status == NATS_OK) content += nats::data_of(next);
   }
   if (status != NATS_OK && status != NATS_TIMEOUT) return fail(meta.bucket, status);
   return content;

@@ -1,6 +1,6 @@
 """canrec on a NATS server: a bus of two hubs recorded, exported against candump, imported, played; damage and failures.
 
-usage: canrec.py PROGRAMS
+usage: canrec.py PROGRAMS UNREAD_HEADER_LIBRARY
 """
 import json
 import os
@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-programs = pathlib.Path(sys.argv[1])
+programs, unread_header = map(pathlib.Path, sys.argv[1:])
 folder = pathlib.Path(tempfile.mkdtemp(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None))
 processes = []
 SERVER = "nats://localhost"
@@ -32,9 +32,10 @@ def wait_until(condition, what, seconds=30):
         time.sleep(0.01)
 
 
-def canrec(*words, status=0, says=""):
+def canrec(*words, status=0, says="", **environment):
     """What it prints; STATUS and SAYS are how it has to end and what it has to say in one line of standard error."""
-    done = subprocess.run([programs / "canrec", *map(str, words)], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([programs / "canrec", *map(str, words)], capture_output=True, text=True, timeout=120,
+                          env=dict(os.environ, **environment))
     assert done.returncode == status and says in done.stderr, (words, done)
     assert status == 0 or done.stderr.count("\n") == 1, done.stderr
     return done.stdout
@@ -201,6 +202,13 @@ def copy(lines):
     canrec("play", f"{SERVER}/errors", "--onto", bus.url, says="; 1 error frames left out")
 
 
+def without_memory(lines):
+    """A frame whose time cannot be read gets no other one."""
+    preloaded = {"LD_PRELOAD": str(unread_header), "UNREAD_HEADER": "Can-Time"}
+    assert canrec("export", f"{SERVER}/copy", status=3, says="copy: No Memory", **preloaded) == ""
+    assert canrec("export", f"{SERVER}/copy", LD_PRELOAD=str(unread_header)).split("\n")[:-1] == lines
+
+
 def damage():
     cut = folder / "cut.log"
     cut.write_text("(1700000000.000000) can0 123#11\n(1700000000.001000) can0 124#22\n(1700000000.00")
@@ -284,6 +292,7 @@ try:
     bus = Bus("c")
     recorded = record(*hubs)
     copy(recorded)
+    without_memory(recorded)
     play(recorded)
     play_parts(recorded)
     damage()

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "can/nats/message.hpp"
 #include "can/port/port.hpp"
 #include "tools/canrec/server/stream_info.hpp"
 
@@ -68,8 +69,7 @@ Expected<void> LogUpload::confirm() {
   const auto answer = inbox_.receive();
   if (!answer) return tl::unexpected{answer.error()};
   --pending_;
-  const std::string refusal =
-      refusal_in({natsMsg_GetData(*answer), static_cast<std::size_t>(natsMsg_GetDataLength(*answer))});
+  const std::string refusal = refusal_in(nats::data_of(*answer));
   if (refusal.empty()) return {};
   return fail(Status::NoServer, fmt::format("{}: the server takes no more: {}", name_, refusal));
 }

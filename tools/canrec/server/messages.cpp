@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "can/nats/delivery.hpp"
+#include "can/nats/message.hpp"
 #include "text/number.hpp"
 #include "tools/canrec/server/stream_info.hpp"
 
@@ -15,11 +16,6 @@ namespace {
 
 /// A consumer that nobody asks is removed by the server; after a pause that is longer there is a new one.
 constexpr std::chrono::nanoseconds kInactive = std::chrono::minutes{5};
-
-std::string_view header_of(natsMsg* message, const char* name) noexcept {
-  const char* value = nullptr;
-  return natsMsgHeader_Get(message, name, &value) == NATS_OK ? value : "";
-}
 
 }  // namespace
 
@@ -62,8 +58,15 @@ Expected<void> Messages::ask() {
   return {};
 }
 
+/// Empty: it has none of that name.
+Expected<std::string_view> Messages::header(natsMsg* message, const char* name) const {
+  const auto value = nats::header_of(message, name);
+  if (!value) return tl::unexpected{store_->failure_of(value.error(), {}, name_)};
+  return *value != nullptr ? *value : "";
+}
+
 /// What has come, if it is a message of the recording that was not here before.
-std::optional<Message> Messages::taken(natsMsg* message) noexcept {
+Expected<std::optional<Message>> Messages::taken(natsMsg* message) {
   const char* const reply = natsMsg_GetReply(message);
   const auto delivery = reply == nullptr ? std::nullopt : nats::parse_delivery(reply);
   if (!delivery) return std::nullopt;
@@ -71,26 +74,28 @@ std::optional<Message> Messages::taken(natsMsg* message) noexcept {
   if (delivery->sequence < next_) return std::nullopt;
   next_ = delivery->pending == 0 ? last_ + 1 : delivery->sequence + 1;
   Message taken;
-  taken.bytes =
-      std::as_bytes(std::span{natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))});
+  taken.bytes = std::as_bytes(std::span{nats::data_of(message)});
   taken.sequence = delivery->sequence;
   taken.at = std::chrono::nanoseconds{delivery->time_ns};
-  if (const auto time = text::integer<std::int64_t>(header_of(message, kLogTimeHeader)))
-    taken.log_time = std::chrono::nanoseconds{*time};
+  const auto log_time = header(message, kLogTimeHeader);
+  if (!log_time) return tl::unexpected{log_time.error()};
+  if (const auto time = text::integer<std::int64_t>(*log_time)) taken.log_time = std::chrono::nanoseconds{*time};
   return taken;
 }
 
 /// Takes what says how the request went.
 Expected<void> Messages::take_status(natsMsg* message) {
   constexpr std::string_view kNothingMore = "404";
-  const std::string_view status = header_of(message, "Status");
+  const auto status = header(message, "Status");
+  if (!status) return tl::unexpected{status.error()};
   if (natsMsg_IsNoResponders(message)) {  // the consumer has gone
     consumer_.clear();
     return ask();
   }
-  if (status == kNothingMore) next_ = last_ + 1;
-  if (status.empty() || status == kNothingMore) return {};
-  return fail(Status::NoServer, fmt::format("{}: {} {}", name_, status, header_of(message, "Description")));
+  if (*status == kNothingMore) next_ = last_ + 1;
+  if (status->empty() || *status == kNothingMore) return {};
+  const auto why = header(message, "Description");
+  return fail(Status::NoServer, fmt::format("{}: {} {}", name_, *status, why.value_or("")));
 }
 
 Expected<std::optional<Message>> Messages::next() {
@@ -99,7 +104,7 @@ Expected<std::optional<Message>> Messages::next() {
       if (auto done = ask(); !done) return tl::unexpected{done.error()};
     const auto received = inbox_.receive();
     if (!received) return tl::unexpected{received.error()};
-    if (auto message = taken(*received)) return message;
+    if (auto message = taken(*received); !message || *message) return message;
     if (auto done = take_status(*received); !done) return tl::unexpected{done.error()};
   }
   return std::nullopt;

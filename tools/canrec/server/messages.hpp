@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "tools/canrec/frames/transcript.hpp"
@@ -35,7 +36,8 @@ class Messages {
   [[nodiscard]] Expected<void> consume();
   [[nodiscard]] Expected<void> ask();
   [[nodiscard]] Expected<void> take_status(natsMsg* message);
-  [[nodiscard]] std::optional<Message> taken(natsMsg* message) noexcept;
+  [[nodiscard]] Expected<std::optional<Message>> taken(natsMsg* message);
+  [[nodiscard]] Expected<std::string_view> header(natsMsg* message, const char* name) const;
 
   Store* store_;
   std::string name_;

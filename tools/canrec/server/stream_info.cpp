@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "can/nats/message.hpp"
 #include "text/number.hpp"
 
 namespace canrec {
@@ -33,8 +34,9 @@ std::chrono::nanoseconds log_time(const nats::Session& session, const Recording&
   const natsStatus status = js_GetMsg(&message, session.js.get(), Recording::stream_of(recording.name).c_str(),
                                       sequence, nullptr, &code);
   const nats::Message owned{message};
-  const char* value = nullptr;
-  if (status != NATS_OK || natsMsgHeader_Get(message, kLogTimeHeader, &value) != NATS_OK) return otherwise;
+  const char* const value =
+      status == NATS_OK ? nats::header_of(message, kLogTimeHeader).value_or(nullptr) : nullptr;
+  if (value == nullptr) return otherwise;
   const auto time = text::integer<std::int64_t>(value);
   return time ? std::chrono::nanoseconds{*time} : otherwise;
 }
